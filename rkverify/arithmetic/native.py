@@ -1,0 +1,111 @@
+"""Python's own numbers: float, complex (for the complex step) and exact rationals."""
+
+import cmath
+import math
+import sys
+from fractions import Fraction
+
+from rkverify.arithmetic.base import Arithmetic, Scalar
+from rkverify.errors import BadInput, NotDifferentiable, NotRepresentable
+
+
+def rational(value: Scalar) -> Fraction:
+    """The exact rational that an int, a Fraction, a finite float or a string such as 0.1, 1e-3 or 2/3 stands for.
+
+    Raises BadInput where it stands for none.
+
+    >>> rational("0.1"), rational("2/3")
+    (Fraction(1, 10), Fraction(2, 3))
+    """
+    try:
+        return Fraction(value)
+    except (ValueError, OverflowError, TypeError, ZeroDivisionError):
+        raise BadInput(f"{value!r} is not a finite number: write a decimal or p/q") from None
+
+
+class Float(Arithmetic):
+    """IEEE double precision."""
+
+    name = "float"
+    epsilon = sys.float_info.epsilon
+
+    def number(self, value: Scalar) -> float:
+        return value if isinstance(value, float) else float(rational(value))
+
+    def witness(self, x: float) -> float:
+        return x
+
+    def sqrt(self, x: float) -> float:
+        return math.sqrt(x)
+
+    def cos(self, x: float) -> float:
+        return math.cos(x)
+
+    def sin(self, x: float) -> float:
+        return math.sin(x)
+
+    def pi(self) -> float:
+        return math.pi
+
+    def text(self, x: float) -> str:
+        return repr(x)
+
+
+class Complex(Arithmetic):
+    """Complex doubles; decisions look at the real part, so that f(x + i e) carries f'(x) in its imaginary part."""
+
+    name = "complex"
+    epsilon = sys.float_info.epsilon
+
+    def number(self, value: Scalar) -> complex:
+        return complex(value) if isinstance(value, float | complex) else complex(float(rational(value)))
+
+    def witness(self, x: complex) -> float:
+        return x.real
+
+    def pos(self, x: complex, power: int) -> complex:
+        if x.real == 0 and x.imag != 0 and power == 1:
+            raise NotDifferentiable(
+                "a kernel's kink lies exactly at the point: move the point or take a kernel of class C1"
+            )
+        return complex(super().pos(x, power))
+
+    def sqrt(self, x: complex) -> complex:
+        return cmath.sqrt(x)
+
+    def cos(self, x: complex) -> complex:
+        return cmath.cos(x)
+
+    def sin(self, x: complex) -> complex:
+        return cmath.sin(x)
+
+    def pi(self) -> complex:
+        return complex(math.pi)
+
+    def text(self, x: complex) -> str:
+        return repr(x)
+
+
+class Exact(Arithmetic):
+    """Rational numbers; every operation is exact, and what is not rational is refused."""
+
+    name = "exact"
+    epsilon = 0.0
+
+    def number(self, value: Scalar) -> Fraction:
+        return rational(value)
+
+    def witness(self, x: Fraction) -> Fraction:
+        return x
+
+    def sqrt(self, x: Fraction) -> Fraction:
+        root = Fraction(math.isqrt(max(x.numerator, 0)), math.isqrt(x.denominator))
+        if root * root != x:
+            raise NotRepresentable(
+                f"the square root of {x} is not rational: arithmetic 'exact' works in one dimension and where "
+                "distances are rational; choose mp:DIGITS elsewhere"
+            )
+        return root
+
+    def text(self, x: Fraction) -> str:
+        return str(x)

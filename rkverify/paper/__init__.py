@@ -1,0 +1,1 @@
+"""The paper's equations, transcribed literally: slow, obvious, generic over the arithmetic."""

@@ -1,0 +1,122 @@
+"""What a reproducing kernel approximation is built from: nodes, supports, kernel, order and arithmetic.
+
+The nodes are X_I for the Lagrangian approximation (8)-(11) and x(X_I, t) for the semi-Lagrangian one
+(26)-(33); nothing else tells the two apart.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from rkverify.arithmetic.base import Arithmetic, Scalar
+from rkverify.errors import BadInput, CoincidentNodes
+from rkverify.kernels import Kernel, kernel
+from rkverify.paper.numbered import equation
+
+Vector = tuple[Scalar, ...]
+
+
+@equation(26)
+@dataclass(frozen=True)
+class Approximation:
+    """Nodes x_I (NP, d) and support radii a_I (NP,) in units of length, kernel phi_a, order n, arithmetic K.
+
+    The distance measure (26) is z = |x - x_I| / a_I, with the support owned by the node I.
+    """
+
+    nodes: tuple[Vector, ...]
+    supports: tuple[Scalar, ...]
+    kernel: Kernel
+    order: int
+    K: Arithmetic
+
+    @property
+    def dimension(self) -> int:
+        """The number of space dimensions d."""
+        return len(self.nodes[0])
+
+    def offset(self, x: Vector, node: int) -> Vector:
+        """x - x_I."""
+        return tuple(c - n for c, n in zip(x, self.nodes[node], strict=True))
+
+    def distance(self, x: Vector, node: int) -> Scalar:
+        """z = |x - x_I| / a_I (26)."""
+        return self.K.norm(self.offset(x, node)) / self.supports[node]
+
+    def neighbours(self, x: Vector) -> list[int]:
+        """The nodes whose support may reach x; at all others the kernel is zero with all its derivatives."""
+        return [J for J in range(len(self.nodes)) if not self.K.surely_positive(self.distance(x, J) - 1)]
+
+    def point(self, *coordinates: Scalar) -> Vector:
+        """The point with these coordinates, as numbers of this approximation's arithmetic."""
+        return tuple(self.K.number(c) for c in coordinates)
+
+    def at(self, positions: Sequence[Vector]) -> "Approximation":
+        """The same approximation with its nodes at other positions."""
+        return Approximation(tuple(positions), self.supports, self.kernel, self.order, self.K)
+
+
+def approximation(
+    nodes: Sequence[Sequence[Scalar]],
+    support: Scalar | Sequence[Scalar],
+    K: Arithmetic,
+    kernel_name: str = "cubic",
+    order: int = 1,
+) -> Approximation:
+    """An approximation on checked nodes (NP, d) with one support radius for all, or one for each node.
+
+    Raises BadInput for no nodes, mixed dimensions, a support that is not positive or an order other than
+    0, 1, 2; CoincidentNodes; UnknownName for the kernel.
+    """
+    if not nodes:
+        raise BadInput("there are no nodes: give at least one")
+    if order not in (0, 1, 2):
+        raise BadInput(f"order {order} is not offered: choose 0, 1 or 2")
+    if len({len(node) for node in nodes}) > 1:
+        raise BadInput("the nodes have different numbers of coordinates: give every node the same")
+    points = tuple(tuple(K.number(c) for c in node) for node in nodes)
+    many = isinstance(support, Sequence) and not isinstance(support, str)
+    supports = tuple(K.number(a) for a in (support if many else [support] * len(points)))
+    if len(supports) != len(points):
+        raise BadInput(f"{len(supports)} support radii for {len(points)} nodes: give one for each node")
+    for node, a in enumerate(supports):
+        if not K.surely_positive(a):
+            raise BadInput(f"node {node} has support radius {K.text(a)}: it must be positive")
+    _refuse_coincident(points, K)
+    return Approximation(points, supports, kernel(kernel_name), order, K)
+
+
+def _refuse_coincident(points: tuple[Vector, ...], K: Arithmetic) -> None:
+    seen: dict[tuple[object, ...], int] = {}
+    for node, point in enumerate(points):
+        place = tuple(K.witness(c) for c in point)
+        if place in seen:
+            where = ", ".join(map(K.text, point))
+            raise CoincidentNodes(f"nodes {seen[place]} and {node} are both at ({where}): remove or move one of them")
+        seen[place] = node
+
+
+def lattice(
+    spacing: Scalar,
+    support_ratio: Scalar,
+    reach: int,
+    K: Arithmetic,
+    kernel_name: str = "cubic",
+    order: int = 1,
+) -> Approximation:
+    """Nodes I h for I = -n, …, n with support R h: a part of the infinite uniform lattice of Section 4.
+
+    reach: how many spacings from the middle node shape functions are still those of the infinite lattice.
+    The middle node has index n.
+    """
+    h, R = K.number(spacing), K.number(support_ratio)
+    if not K.surely_positive(h):
+        raise BadInput(f"spacing {K.text(h)}: it must be positive")
+    if not K.surely_positive(R):
+        raise BadInput(f"support ratio {K.text(R)}: it must be positive")
+    n = reach + int(K.witness(R)) + 2
+    return approximation([[I * h] for I in range(-n, n + 1)], R * h, K, kernel_name, order)
+
+
+def middle(lattice: Approximation) -> int:
+    """The index of the lattice's middle node."""
+    return len(lattice.nodes) // 2

@@ -1,0 +1,90 @@
+"""phi_a at a point and its rates: the gradient, the second derivative, the material rates (34)-(36), (70), (71).
+
+All of them are built on g(z) = phi'(z)/z, so that nothing is divided by |x - x_I| at a node.
+"""
+
+from rkverify.arithmetic.base import Scalar
+from rkverify.errors import NotDifferentiable
+from rkverify.paper.approximation import Approximation, Vector
+from rkverify.paper.numbered import equation
+
+
+def dot(u: Vector, w: Vector) -> Scalar:
+    """u . w"""
+    total = u[0] * w[0]
+    for p, q in zip(u[1:], w[1:], strict=True):
+        total = total + p * q
+    return total
+
+
+def minus(u: Vector, w: Vector) -> Vector:
+    """u - w"""
+    return tuple(p - q for p, q in zip(u, w, strict=True))
+
+
+@equation(12)
+def phi(A: Approximation, x: Vector, node: int) -> Scalar:
+    """phi_a(x - x_I) = phi(z) with z = |x - x_I| / a_I; the kernel (12) unless another is chosen."""
+    return A.kernel.phi(A.distance(x, node), A.K)
+
+
+def phi_rate(A: Approximation, x: Vector, node: int, w: Vector) -> Scalar:
+    """The rate of phi_a(x - x_I) where x - x_I changes at the rate w: g(z) (x - x_I).w / a^2 with g = phi'/z."""
+    if all(A.K.is_zero(c) for c in w):
+        return A.K.zero()
+    g = A.kernel.phi.derivative().over_z(A.distance(x, node), A.K)
+    return g * dot(A.offset(x, node), w) / A.supports[node] ** 2
+
+
+def phi_second_rate(A: Approximation, x: Vector, node: int, u: Vector, w: Vector) -> Scalar:
+    """The second derivative of phi_a(x - x_I) along u and w.
+
+    (u.w g(z) + (n.u)(n.w) (phi''(z) - g(z))) / a^2, where the second part vanishes at the node.
+    Raises NotDifferentiable where the kernel is not C2 at its node.
+    """
+    K, a, y, z = A.K, A.supports[node], A.offset(x, node), A.distance(x, node)
+    second = A.kernel.phi.derivative(2)(z, K)
+    if A.dimension == 1:
+        if A.kernel.smoothness_at_node < 2 and K.is_zero(z):
+            raise NotDifferentiable(
+                f"kernel {A.kernel.name!r} has no second derivative at its node {node}: take a C2 kernel"
+            )
+        return second * u[0] * w[0] / a**2
+    g = A.kernel.phi.derivative().over_z(z, K)
+    value = g * dot(u, w) / a**2
+    if K.is_zero(z):
+        return value
+    return value + (second - g) * dot(y, u) * dot(y, w) / (z**2 * a**4)
+
+
+@equation(36, 71)
+def direction(A: Approximation, x: Vector, node: int) -> Vector:
+    """n = (x - x_I) / |x - x_I|   (36), (71).
+
+    Raises NotDifferentiable at the node itself, where n has no value; (35) does not need one there.
+    """
+    y = A.offset(x, node)
+    length = A.K.norm(y)
+    if A.K.is_zero(length):
+        raise NotDifferentiable(f"the direction n of (36) has no value at its own node {node}: ask for another point")
+    return tuple(c / length for c in y)
+
+
+@equation(34)
+def lagrangian_kernel_rate(A: Approximation, X: Vector, node: int) -> Scalar:
+    """The material rate of phi_a(|X - X_I| / a) is 0: neither X nor X_I changes for a given material point   (34)."""
+    return phi_rate(A, X, node, tuple(A.K.zero() for _ in X))
+
+
+@equation(35, 70)
+def semi_lagrangian_kernel_rate(A: Approximation, x: Vector, node: int, v: Vector, v_node: Vector) -> Scalar:
+    """The material rate of phi_a(|x - x_I| / a) is phi'(z) n.(v - v_I) / a   (35), (70).
+
+    v and v_node are velocities (length per time) of the material at x and of the node.
+    """
+    y = A.offset(x, node)
+    length = A.K.norm(y)
+    if A.K.is_zero(length):
+        return phi_rate(A, x, node, minus(v, v_node))
+    slope = A.kernel.phi.derivative()(length / A.supports[node], A.K)
+    return slope * dot(direction(A, x, node), minus(v, v_node)) / A.supports[node]

@@ -1,0 +1,1 @@
+"""Dispersion relations and stability, layer by layer: printed, as-defined, consistent, simulated."""
