@@ -61,7 +61,7 @@ class Ball(FlintArithmetic):
             if x.value == 0:
                 raise NotDifferentiable("a kernel's joint lies exactly where the derivative jumps: move the point")
             return self.between(0, 1)
-        return self.guard(lambda: flint.arb.max(x.value, flint.arb(0)) ** power)
+        return self.guard(lambda: flint.arb.max(x.value, flint.arb(0))) ** power
 
     def absolute(self, x: Guarded) -> Guarded:
         return self.guard(lambda: abs(x.value))
@@ -69,11 +69,15 @@ class Ball(FlintArithmetic):
     def norm(self, vector):  # type: ignore[no-untyped-def]
         if len(vector) == 1:
             return self.absolute(vector[0])
-        squares = sum((c**2 for c in vector[1:]), vector[0] ** 2)
-        return self.guard(lambda: flint.arb.max(squares.value, flint.arb(0)).sqrt())
+        return self.sqrt(sum((c**2 for c in vector[1:]), vector[0] ** 2))
 
     def sqrt(self, x: Guarded) -> Guarded:
-        return self.guard(lambda: x.value.sqrt())
+        """The square roots of the part of the enclosure that is not negative; Undecided where there is none."""
+        if x.value < 0:
+            raise Undecided(f"the enclosure {x} is negative and has no real square root")
+        if x.value > 0:
+            return self.guard(lambda: x.value.sqrt())
+        return self.guard(lambda: flint.arb(0).union(x.value.upper().sqrt()))
 
     def cos(self, x: Guarded) -> Guarded:
         return self.guard(lambda: x.value.cos())

@@ -7,6 +7,7 @@ own operation and puts them back, so that two arithmetics of different precision
 import operator
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import reduce
 from typing import Any
 
 import flint
@@ -84,7 +85,8 @@ class Guarded:
         return self._binary(other, operator.truediv, swap=True)
 
     def __pow__(self, power: int) -> "Guarded":
-        return self._binary(power, operator.pow)
+        # By multiplication: python-flint's own power of an enclosure that contains 0 has no bounds.
+        return self.home.guard(lambda: reduce(operator.mul, [self.value] * power)) if power else self.home.number(1)
 
     def __repr__(self) -> str:
         return str(self.value)

@@ -8,9 +8,14 @@ from rkverify.arithmetic.base import Arithmetic, Scalar
 from rkverify.arithmetic.native import rational
 from rkverify.errors import BadInput
 
+GUARD_DIGITS = 10
+
 
 class Multiprecision(Arithmetic):
-    """Real numbers rounded to a given count of decimal digits, no global precision involved.
+    """Real numbers of a given count of decimal digits and ten more in hand, no global precision involved.
+
+    The digits in hand take the rounding of a computation with a condition number up to 10^10, so that what is
+    printed is right to its last digit but one.
 
     >>> K = Multiprecision(30)
     >>> K.text(K.ratio(1, 3))
@@ -21,7 +26,7 @@ class Multiprecision(Arithmetic):
         if digits < 1:
             raise BadInput(f"mp:{digits}: ask for at least one digit")
         self.context = mpmath.MPContext()
-        self.context.dps = digits
+        self.context.dps = digits + GUARD_DIGITS
         self.digits = digits
         self.name = f"mp:{digits}"
         self.epsilon = float(self.context.eps)

@@ -34,7 +34,7 @@ def moment_matrix(A: Approximation, x: Vector) -> Matrix:
     for node in A.neighbours(x):
         H = basis(A.offset(x, node), A.order, A.K)
         terms.append((H, H, phi(A, x, node)))
-    covering = sum(A.K.sign(1 - A.distance(x, node)) != 0 for node in A.neighbours(x))
+    covering = sum(A.K.surely_positive(1 - A.distance(x, node)) for node in A.neighbours(x))
     needed = len(basis(x, A.order, A.K))
     if covering < needed:
         raise TooFewNodes(
@@ -85,7 +85,7 @@ def solve(A: Approximation, x: Vector, M: Matrix, right: list[Scalar]) -> list[S
         for k in range(j):
             pivot = pivot - L[j][k] * L[j][k] * D[k]
         left = K.witness(pivot) / K.witness(M[j][j]) if K.witness(M[j][j]) != 0 else 0
-        if not left > size * K.epsilon:
+        if not (K.surely_positive(pivot) and left > size * K.epsilon):
             raise SingularMomentMatrix(
                 f"the moment matrix at x = ({', '.join(map(K.text, x))}) is singular (pivot {j} keeps {float(left):.1e} of its "
                 f"diagonal entry) with {len(A.neighbours(x))} nodes in reach: enlarge the support, move nodes or lower the order"

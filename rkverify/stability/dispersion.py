@@ -7,10 +7,10 @@ from typing import Literal, get_args
 from rkverify.arithmetic.base import Arithmetic, Scalar
 from rkverify.arithmetic.native import Float
 from rkverify.errors import BadInput, UnknownName
-from rkverify.paper import printed_lagrangian, printed_semi_lagrangian
+from rkverify.paper import printed_lagrangian
 from rkverify.paper.notation import HALF_POINTS, HalfPoint, lattice_values
-from rkverify.paper.printed_semi_lagrangian import State
 from rkverify.paper.shape import DERIVATIVES, Derivative
+from rkverify.stability.printed import PrintedQuadratic
 from rkverify.stability.roots import Root, quadratic_roots
 
 Formulation = Literal["lagrangian", "semi-lagrangian"]
@@ -109,19 +109,12 @@ def _semi_lagrangian(setting: Setting, kh: Sequence[Scalar], K: Arithmetic) -> l
         setting.kernel,
         setting.order,
     )
-    state = State(K.number(1), K.number(setting.stress_ratio), K.number(1), K.number(setting.velocity_gradient))
-    if setting.integration == "scni":
-        constant, squared = printed_semi_lagrangian.scni_constant, printed_semi_lagrangian.scni_omega_squared
-    else:
-        constant, squared = printed_semi_lagrangian.dni_constant, printed_semi_lagrangian.dni_omega_squared
+    relation = PrintedQuadratic(values, setting.integration, K, setting.convective)
+    state = relation.state(setting.stress_ratio, setting.velocity_gradient)
     branches = []
     for value in kh:
         theta = K.number(value)
-        if setting.convective:
-            B = printed_semi_lagrangian.linear_coefficient(values, state, theta, K)
-            D = printed_semi_lagrangian.discriminant(B, constant(values, state, theta, K))
-        else:
-            B, D = K.zero(), 4 * squared(values, state, theta, K)
-        for index, root in enumerate(quadratic_roots(B, D, K)):
+        D = relation.discriminant(state, theta)
+        for index, root in enumerate(quadratic_roots(relation.linear(state, theta), D, K)):
             branches.append(Branch(theta, index, root, D if setting.convective else None))
     return branches

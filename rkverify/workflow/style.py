@@ -1,0 +1,98 @@
+"""How figures look: colours that keep apart in grey print and for colour-blind readers, and SVG that is reproducible."""
+
+from io import StringIO
+from typing import TYPE_CHECKING
+from xml.sax.saxutils import escape
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+# Okabe and Ito's palette, ordered from dark to light, each with a dash of its own.
+LINES = (
+    {"color": "#000000", "linestyle": "-"},
+    {"color": "#0072B2", "linestyle": (0, (5, 1.5))},
+    {"color": "#D55E00", "linestyle": (0, (1, 1))},
+    {"color": "#009E73", "linestyle": (0, (5, 1.5, 1, 1.5))},
+    {"color": "#CC79A7", "linestyle": (0, (3, 1, 1, 1, 1, 1))},
+    {"color": "#E69F00", "linestyle": (0, (8, 2))},
+)
+POSITIVE, NEGATIVE = "#DDE8F0", "#E8A06A"
+
+SETTINGS = {
+    "figure.constrained_layout.use": True,
+    "figure.dpi": 100,
+    "font.family": "DejaVu Sans",
+    "font.size": 9,
+    "axes.grid": True,
+    "grid.color": "#D8D8D8",
+    "grid.linewidth": 0.5,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.axisbelow": True,
+    "lines.linewidth": 1.5,
+    "legend.frameon": False,
+    "legend.handlelength": 2.8,
+    "hatch.linewidth": 0.6,
+    "svg.hashsalt": "rkverify",
+    "svg.fonttype": "path",
+}
+
+
+def new_figure(width: float, height: float) -> "Figure":
+    """An empty figure of the given size in inches, in the house's style, without a screen."""
+    import matplotlib
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    matplotlib.rcParams.update(SETTINGS)
+    figure = Figure(figsize=(width, height), layout="constrained")
+    FigureCanvasAgg(figure)
+    return figure
+
+
+def kh_axis(axes: "Axes") -> None:
+    """Label a horizontal axis that runs over kh from 0 to pi."""
+    from math import pi
+
+    axes.set_xlim(0, pi)
+    axes.set_xticks([0, pi / 4, pi / 2, 3 * pi / 4, pi], ["0", "π/4", "π/2", "3π/4", "π"])
+    axes.set_xlabel("wave number times spacing  kh  (rad)")
+
+
+def sign_map(axes: "Axes", x: object, y: object, values: object) -> None:
+    """Show where values(y, x) is positive (light, plain) and negative (dark, hatched), with the border drawn."""
+    import numpy as np
+
+    field = np.asarray(values, dtype=float)
+    low, high = min(float(field.min()), -1e-300), max(float(field.max()), 1e-300)
+    axes.contourf(x, y, field, levels=[low * 2, 0, high * 2], colors=[NEGATIVE, POSITIVE], hatches=["////", None])  # type: ignore[arg-type]
+    if field.min() < 0 < field.max():
+        axes.contour(x, y, field, levels=[0], colors=["#000000"], linewidths=[1.5])  # type: ignore[arg-type]
+    axes.grid(False)
+
+
+def sign_key(figure: "Figure", positive: str, negative: str) -> None:
+    """A legend for `sign_map` below the figure."""
+    from matplotlib.patches import Patch
+
+    figure.legend(
+        handles=[
+            Patch(facecolor=POSITIVE, edgecolor="#000000", label=positive),
+            Patch(facecolor=NEGATIVE, edgecolor="#000000", hatch="////", label=negative),
+        ],
+        loc="outside lower center",
+        ncols=2,
+    )
+
+
+def svg(figure: "Figure", title: str, alternative: str) -> str:
+    """The figure as SVG text, the same for the same data, with its title and its alternative text inside."""
+    stream = StringIO()
+    figure.savefig(stream, format="svg", metadata={"Date": None, "Creator": None})
+    text = stream.getvalue()
+    start = text.index("<svg")
+    end = text.index(">", start)
+    words = f'\n <title id="t">{escape(title)}</title>\n <desc id="d">{escape(alternative)}</desc>'
+    lines = (text[:end] + ' role="img" aria-labelledby="t d">' + words + text[end + 1 :]).splitlines()
+    return "\n".join(line.rstrip() for line in lines) + "\n"

@@ -1,0 +1,217 @@
+"""What Figures 5 to 8 have in common: D over kh as curves, D's sign as maps, and a census over what is left open."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from rkverify.certify.curves import Reading, census, discriminants
+from rkverify.workflow.compare import Certified
+from rkverify.workflow.study import Drawing, Table, Tables, table
+from rkverify.workflow.style import LINES, kh_axis, new_figure, sign_key, sign_map
+
+SCNI = (Reading("scni", half_point="edge"), Reading("scni", half_point="literal"))
+DNI = tuple(Reading("dni", derivative=d) for d in ("full", "diffuse", "frozen-b", "frozen"))
+
+COLUMNS = [
+    ("reading", "", "of C(h/2) for SCNI, of the derivative for DNI"),
+    ("spacing", "length", "h"),
+    ("stress_ratio", "1", "sigma / C^sigma"),
+    ("Q", "1/time", "velocity gradient"),
+    ("kh", "rad", "wave number times spacing"),
+    ("D", "1", "D rho h^2 / C^sigma, rho = C^sigma = 1"),
+]
+CENSUS = [
+    ("reading", "", "of C(h/2) for SCNI, of the derivative for DNI"),
+    ("support_ratio", "1", "R = a/h"),
+    ("spacing", "length", "h"),
+    ("stress_ratio", "1", "sigma / C^sigma"),
+    ("Q", "1/time", "velocity gradient"),
+    ("negative", "samples", "samples with D < 0 for certain"),
+    ("positive", "samples", "samples with D > 0 for certain"),
+    ("neither", "samples", "samples whose enclosure contains 0"),
+    ("least", "1", "least D rho h^2 / C^sigma"),
+    ("largest", "1", "largest D rho h^2 / C^sigma"),
+]
+
+
+@dataclass(frozen=True)
+class Parameters:
+    """What a figure shows and over which range its statement is tried.
+
+    Strings are exact: 1/20 is one twentieth. `spacings`: the first is the paper's for Figures 7 and 8.
+    """
+
+    readings: tuple[Reading, ...]
+    stresses: tuple[str, ...]
+    map_stresses: tuple[str, ...]
+    tried_stresses: tuple[str, ...]
+    support_ratio: str = "3/2"
+    spacings: tuple[str, ...] = ("1/20", "1")
+    gradients: tuple[str, ...] = ("0", "1/2", "1", "3/2", "2")
+    map_gradients: tuple[str, ...] = tuple(f"{n}/16" for n in range(33))
+    tried_support_ratios: tuple[str, ...] = ("11/10", "13/10", "3/2", "17/10", "19/10")
+    samples: int = 96
+    map_samples: int = 48
+    tried_samples: int = 40
+
+
+def quick(p: Parameters) -> Parameters:
+    """The same with few samples."""
+    from dataclasses import replace
+
+    return replace(
+        p,
+        gradients=p.gradients[::2],
+        map_gradients=p.map_gradients[::8],
+        map_stresses=p.map_stresses[::4],
+        tried_stresses=p.tried_stresses[:2],
+        tried_support_ratios=p.tried_support_ratios[1:4],
+        samples=12,
+        map_samples=8,
+        tried_samples=8,
+    )
+
+
+def compute(p: Parameters) -> Tables:
+    """Curves at the stated R, two maps, and the census."""
+    wide, R = p.spacings[-1:], p.support_ratio
+    middle = p.stresses[len(p.stresses) // 2]
+    tables: dict[str, Table] = {
+        "curves": table(
+            discriminants(p.readings, R, p.spacings, p.stresses, p.gradients, p.samples),
+            COLUMNS,
+            "D along kh; every digit is certain.",
+            Certified(),
+        ),
+        "map_Q": table(
+            discriminants(p.readings[:1], R, wide, (middle,), p.map_gradients, p.map_samples),
+            COLUMNS,
+            "D over kh and Q.",
+            Certified(),
+        ),
+        "map_stress": table(
+            discriminants(p.readings, R, wide, p.map_stresses, ("0",), p.map_samples),
+            COLUMNS,
+            "D over kh and sigma / C^sigma without a velocity gradient.",
+            Certified(),
+        ),
+        "census": table(
+            census(p.readings, p.tried_support_ratios, p.spacings, p.tried_stresses, p.gradients, p.tried_samples),
+            CENSUS,
+            "Signs of D over the whole range that was tried.",
+            Certified(),
+        ),
+    }
+    return tables
+
+
+def _number(text: str) -> float:
+    from fractions import Fraction
+
+    return float(Fraction(text))
+
+
+def draw(p: Parameters, tables: Tables, name: str, caption: str, alternative: str) -> Mapping[str, Drawing]:
+    """Curves for both spacings, then the sign over (kh, Q) and over (kh, sigma/C) for every reading."""
+    figure = new_figure(9.6, 7.2)
+    width = max(len(p.readings), 2)
+    grid = figure.add_gridspec(2, 2 * width)
+    curves = tables["curves"].frame.astype({"kh": float, "D": float})
+    middle = p.stresses[len(p.stresses) // 2]
+    for place, h in enumerate(p.spacings):
+        axes = figure.add_subplot(grid[0, place * width : (place + 1) * width])
+        for reading, thickness in zip(p.readings[:2], (1.6, 0.7), strict=False):
+            for style, Q in zip(LINES, p.gradients, strict=False):
+                part = curves[
+                    (curves["reading"] == reading.label)
+                    & (curves["spacing"] == h)
+                    & (curves["stress_ratio"] == middle)
+                    & (curves["Q"] == Q)
+                ]
+                label = f"Q = {_number(Q):g}" if thickness > 1 else None
+                axes.plot(part["kh"], part["D"], label=label, **{**style, "linewidth": thickness})
+        axes.axhline(0, color="#606060", linewidth=0.8)
+        kh_axis(axes)
+        axes.set_ylabel("D ρh²/C  (1)")
+        axes.set_title(
+            f"h = {h}, σ/C = {_number(middle):g}; thick {p.readings[0].label}, thin {p.readings[1].label}", fontsize=9
+        )
+        axes.legend(fontsize=8, ncols=2)
+    panels = [("map_Q", p.readings[0].label, "Q", "velocity gradient  Q  (1/time)")]
+    panels += [("map_stress", reading.label, "stress_ratio", "stress  σ/C  (1)") for reading in p.readings]
+    places = figure.add_gridspec(2, len(panels))
+    for place, (key, reading_label, column, label) in enumerate(panels):
+        axes = figure.add_subplot(places[1, place])
+        frame = tables[key].frame.astype({"kh": float, "D": float})
+        part = frame[frame["reading"] == reading_label]
+        part = part.assign(vertical=part[column].map(_number))
+        square = part.pivot(index="vertical", columns="kh", values="D")
+        sign_map(axes, square.columns.to_numpy(), square.index.to_numpy(), square.to_numpy())
+        kh_axis(axes)
+        axes.set_ylabel(label)
+        extra = f", σ/C = {_number(middle):g}" if key == "map_Q" else ", Q = 0"
+        axes.set_title(f"{reading_label}, h = {p.spacings[-1]}{extra}", fontsize=9)
+    sign_key(figure, "D > 0: both frequencies real", "D < 0: one grows")
+    return {name: Drawing(figure, caption, alternative)}
+
+
+def tried(p: Parameters) -> str:
+    """The range over which a statement was tried, in words."""
+    signs = f"sigma/C in {{{', '.join(p.tried_stresses)}}}"
+    return (
+        f"R in {{{', '.join(p.tried_support_ratios)}}}, h in {{{', '.join(p.spacings)}}}, {signs}, Q in {{{', '.join(p.gradients)}}}, "
+        f"kh = pi n/{p.tried_samples}; rho = C^sigma = 1, cubic kernel, linear basis"
+    )
+
+
+def open_parameters(p: Parameters) -> str:
+    """What the paper leaves open, for a caption."""
+    return (
+        f"Ours: h = {' and '.join(p.spacings)}, sigma/C = {', '.join(p.stresses)} in the curves, Q = {', '.join(p.gradients)}, "
+        "rho = C^sigma = 1, cubic B-spline (12), linear basis. "
+        f"The statement was tried over {tried(p)}."
+    )
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """Signs of D over one reading and spacing: settings tried, those with some D < 0, those with no D <= 0."""
+
+    reading: str
+    spacing: str
+    settings: int
+    with_negative: int
+    all_positive: int
+    least: float
+    largest_of_least: float
+
+    @property
+    def name(self) -> str:
+        """The reading in words."""
+        return f"{self.reading}, h = {self.spacing}"
+
+    @property
+    def key(self) -> str:
+        """The reading as part of a name."""
+        return f"{self.reading}_h_{self.spacing.replace('/', '_')}"
+
+
+def verdicts(p: Parameters, tables: Tables) -> list[Verdict]:
+    """The census summed up for every reading and spacing."""
+    frame = tables["census"].frame
+    found = []
+    for reading in p.readings:
+        for h in p.spacings:
+            part = frame[(frame["reading"] == reading.label) & (frame["spacing"] == h)]
+            least = part["least"].astype(float)
+            found.append(
+                Verdict(
+                    reading.label,
+                    h,
+                    len(part),
+                    int((part["negative"] > 0).sum()),
+                    int((part["positive"] == p.tried_samples).sum()),
+                    float(least.min()),
+                    float(least.max()),
+                )
+            )
+    return found

@@ -1,0 +1,57 @@
+"""Figure 5: D of (79) for semi-Lagrangian SCNI with C^sigma + sigma > 0, as printed."""
+
+from collections.abc import Mapping, Sequence
+
+from rkverify.workflow.study import Drawing, Statement, Study, Tables
+from studies import _discriminants as shared
+from studies._discriminants import Parameters
+
+PARAMETERS = Parameters(
+    readings=shared.SCNI,
+    stresses=("-1/2", "1/2", "2"),
+    map_stresses=tuple(f"{n}/8" for n in range(-7, 17)),
+    tried_stresses=("-9/10", "-1/2", "0", "1/2", "5"),
+)
+
+
+def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
+    """Curves and sign maps."""
+    caption = (
+        "Figure 5 from (79) as printed: R = 3/2, 0 <= Q <= 2 and C^sigma + sigma > 0 as the paper states; C(h/2) at the cell's edge (thick) and with the moment matrix at the node (thin). "
+        f"{shared.open_parameters(p)}"
+    )
+    found = shared.verdicts(p, tables)
+    alternative = (
+        f"D over kh for several velocity gradients and its sign over maps. No sample is negative in any of {sum(v.settings for v in found)} settings: "
+        "the whole area of both maps is of the stable colour. D touches zero at kh = pi where Q = 0, and a larger Q lifts it."
+    )
+    return shared.draw(p, tables, "figure5", caption, alternative)
+
+
+def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
+    """D is nowhere negative; it is zero, not positive, at kh = pi where Q = 0."""
+    return [
+        Statement(
+            f"figure_{v.key}",
+            ("F5", "C44"),
+            f"C(h/2) {v.name}: D < 0 in {v.with_negative} of {v.settings} settings; D > 0 at every sample in {v.all_positive} of them, the others have D = 0 at kh = pi, where Q = 0.",
+            v.with_negative == 0,
+            shared.tried(p),
+            "enclosed",
+            v.least,
+            "least D rho h^2 / C^sigma over all samples",
+            layer="printed",
+            reading=v.name,
+        )
+        for v in shared.verdicts(p, tables)
+    ]
+
+
+STUDY = Study(
+    "Figure 5: D for semi-Lagrangian SCNI, C^sigma + sigma > 0",
+    PARAMETERS,
+    shared.quick(PARAMETERS),
+    shared.compute,
+    judge,
+    draw,
+)

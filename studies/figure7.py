@@ -1,0 +1,52 @@
+"""Figure 7: D of (85) for semi-Lagrangian DNI with C^sigma + sigma > 0 and sigma > 0, as printed."""
+
+from collections.abc import Mapping, Sequence
+
+from rkverify.workflow.study import Drawing, Statement, Study, Tables
+from studies import _discriminants as shared
+from studies._discriminants import Parameters
+
+PARAMETERS = Parameters(
+    readings=shared.DNI,
+    stresses=("1/10", "1/2", "1"),
+    map_stresses=tuple(f"{n}/16" for n in range(1, 33)),
+    tried_stresses=("1/100", "1/10", "1/2", "1", "5"),
+)
+
+
+def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
+    """Curves and sign maps."""
+    caption = (
+        "Figure 7 from (85) as printed: h = 1/20, C^sigma + sigma > 0 and sigma > 0 as the paper states; R = 3/2 as in Figures 5 and 6 (ours here). Psi,xx is not defined in the paper: four readings. "
+        f"{shared.open_parameters(p)}"
+    )
+    found = shared.verdicts(p, tables)
+    alternative = (
+        f"D over kh in tension falls below zero towards kh = pi at h = {p.spacings[0]} for every Q; the maps over kh and stress are of the unstable colour "
+        f"from an intermediate wave number to pi, wider with more tension. At h = {p.spacings[-1]} a velocity gradient of order one lifts D above zero."
+    )
+    return shared.draw(p, tables, "figure7", caption, alternative)
+
+
+def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
+    """Tension gives D < 0 at some wavelengths where Q h is small, in every reading of the derivative."""
+    return [
+        Statement(
+            f"figure_{v.key}",
+            ("F7", "C50"),
+            f"{v.name}: D < 0 at some wave number in {v.with_negative} of {v.settings} settings in tension; in the others Q makes every frequency real.",
+            v.with_negative == v.settings,
+            shared.tried(p),
+            "enclosed",
+            -v.largest_of_least,
+            "minus the largest over the settings of the least D rho h^2 / C^sigma",
+            layer="printed",
+            reading=v.name,
+        )
+        for v in shared.verdicts(p, tables)
+    ]
+
+
+STUDY = Study(
+    "Figure 7: D for semi-Lagrangian DNI, tension", PARAMETERS, shared.quick(PARAMETERS), shared.compute, judge, draw
+)
