@@ -25,3 +25,44 @@ install: .venv/installed ## create .venv from requirements.lock (2 min)
 	$(BIN)/python -m pip install --quiet --no-deps --no-build-isolation --editable .
 	touch $@
 
+reproduce: install ## compute every table and figure and build the report (1 min; 2 s if nothing changed)
+	$(RUN) run
+	$(RUN) report
+
+smoke: install ## reproduce in a quick form, under .rkverify/quick (20 s)
+	$(RUN) run --quick
+	$(RUN) report --quick
+
+test: install ## the tests, property tests in their quick profile (3 min)
+	$(BIN)/python -m pytest -n auto
+
+property: install ## the property tests as in CI: derandomised, no deadline, no database (2 min)
+	RKVERIFY_HYPOTHESIS=ci $(BIN)/python -m pytest -n auto tests/property
+
+fuzz: install ## the property tests, large and climbing towards the worst case (10 min)
+	RKVERIFY_HYPOTHESIS=fuzz $(BIN)/python -m pytest -n auto tests/property
+
+check: install ## formatter, linter, types and import rules (20 s)
+	$(BIN)/ruff format --check .
+	$(BIN)/ruff check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+
+lock: install ## write requirements.lock anew from pyproject.toml, for maintainers (needs uv; 10 s)
+	uv pip compile pyproject.toml --extra dev --universal --python-version 3.11 --generate-hashes \
+	  --no-emit-index-url --no-annotate --no-header --quiet --output-file requirements.lock
+
+notebooks: install ## execute the notebooks into reports/notebooks (20 s)
+	$(BIN)/python -m rkverify run
+	$(BIN)/python -m nbconvert --execute --to notebook --output-dir reports/notebooks \
+	  --ExecutePreprocessor.record_timing=False --log-level WARN notebooks/*.ipynb
+
+report: install ## build reports/index.html from finished studies (1 s)
+	$(RUN) report
+
+bench: install ## measure the arithmetics beside each other into reports/benchmarks (1 min)
+	$(BIN)/python benchmarks/arithmetics.py
+
+clean: ## remove .venv, caches and built pages; committed results stay (1 s)
+	rm -rf .venv .rkverify .mypy_cache .ruff_cache .import_linter_cache .hypothesis reports/*.html reports/style.css \
+	  reports/notebooks reports/benchmarks

@@ -1,7 +1,9 @@
 """What Figures 5 to 8 have in common: D over kh as curves, D's sign as maps, and a census over what is left open."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import Any
 
 from rkverify.certify.curves import Reading, census, discriminants
 from rkverify.workflow.compare import Certified
@@ -42,11 +44,11 @@ class Parameters:
 
     readings: tuple[Reading, ...]
     stresses: tuple[str, ...]
-    map_stresses: tuple[str, ...]
     tried_stresses: tuple[str, ...]
     support_ratio: str = "3/2"
     spacings: tuple[str, ...] = ("1/20", "1")
     gradients: tuple[str, ...] = ("0", "1/2", "1", "3/2", "2")
+    map_stresses: tuple[str, ...] = tuple(f"{n}/8" for n in range(-16, 17))
     map_gradients: tuple[str, ...] = tuple(f"{n}/16" for n in range(33))
     tried_support_ratios: tuple[str, ...] = ("11/10", "13/10", "3/2", "17/10", "19/10")
     samples: int = 96
@@ -56,8 +58,6 @@ class Parameters:
 
 def quick(p: Parameters) -> Parameters:
     """The same with few samples."""
-    from dataclasses import replace
-
     return replace(
         p,
         gradients=p.gradients[::2],
@@ -74,7 +74,6 @@ def quick(p: Parameters) -> Parameters:
 def compute(p: Parameters) -> Tables:
     """Curves at the stated R, two maps, and the census."""
     wide, R = p.spacings[-1:], p.support_ratio
-    middle = p.stresses[len(p.stresses) // 2]
     tables: dict[str, Table] = {
         "curves": table(
             discriminants(p.readings, R, p.spacings, p.stresses, p.gradients, p.samples),
@@ -83,7 +82,7 @@ def compute(p: Parameters) -> Tables:
             Certified(),
         ),
         "map_Q": table(
-            discriminants(p.readings[:1], R, wide, (middle,), p.map_gradients, p.map_samples),
+            discriminants(p.readings[:1], R, wide, (_middle(p),), p.map_gradients, p.map_samples),
             COLUMNS,
             "D over kh and Q.",
             Certified(),
@@ -105,53 +104,57 @@ def compute(p: Parameters) -> Tables:
 
 
 def _number(text: str) -> float:
-    from fractions import Fraction
-
     return float(Fraction(text))
 
 
 def draw(p: Parameters, tables: Tables, name: str, caption: str, alternative: str) -> Mapping[str, Drawing]:
-    """Curves for both spacings, then the sign over (kh, Q) and over (kh, sigma/C) for every reading."""
-    figure = new_figure(9.6, 7.2)
-    width = max(len(p.readings), 2)
-    grid = figure.add_gridspec(2, 2 * width)
-    curves = tables["curves"].frame.astype({"kh": float, "D": float})
-    middle = p.stresses[len(p.stresses) // 2]
-    for place, h in enumerate(p.spacings):
-        axes = figure.add_subplot(grid[0, place * width : (place + 1) * width])
-        for reading, thickness in zip(p.readings[:2], (1.6, 0.7), strict=False):
-            for style, Q in zip(LINES, p.gradients, strict=False):
-                part = curves[
-                    (curves["reading"] == reading.label)
-                    & (curves["spacing"] == h)
-                    & (curves["stress_ratio"] == middle)
-                    & (curves["Q"] == Q)
-                ]
-                label = f"Q = {_number(Q):g}" if thickness > 1 else None
-                axes.plot(part["kh"], part["D"], label=label, **{**style, "linewidth": thickness})
-        axes.axhline(0, color="#606060", linewidth=0.8)
-        kh_axis(axes)
-        axes.set_ylabel("D ρh²/C  (1)")
-        axes.set_title(
-            f"h = {h}, σ/C = {_number(middle):g}; thick {p.readings[0].label}, thin {p.readings[1].label}", fontsize=9
-        )
-        axes.legend(fontsize=8, ncols=2)
+    """Curves for both spacings above; below the sign over (kh, Q) and over (kh, sigma/C) for every reading."""
+    figure = new_figure(10, 7.4)
+    above, below = figure.subfigures(2, 1, height_ratios=[1, 1], squeeze=False)[:, 0]
+    for axes, h in zip(above.subplots(1, len(p.spacings)), p.spacings, strict=True):
+        _curves(axes, p, tables, h)
     panels = [("map_Q", p.readings[0].label, "Q", "velocity gradient  Q  (1/time)")]
     panels += [("map_stress", reading.label, "stress_ratio", "stress  σ/C  (1)") for reading in p.readings]
-    places = figure.add_gridspec(2, len(panels))
-    for place, (key, reading_label, column, label) in enumerate(panels):
-        axes = figure.add_subplot(places[1, place])
+    for axes, (key, reading, column, label) in zip(below.subplots(1, len(panels)), panels, strict=True):
         frame = tables[key].frame.astype({"kh": float, "D": float})
-        part = frame[frame["reading"] == reading_label]
-        part = part.assign(vertical=part[column].map(_number))
-        square = part.pivot(index="vertical", columns="kh", values="D")
+        # At kh = 0 D is zero, and at kh = pi it is for SCNI without Q: no side of the border to show.
+        inside = (frame["kh"] > 0) & (frame["kh"] < frame["kh"].max())
+        part = frame[(frame["reading"] == reading) & inside]
+        square = part.assign(vertical=part[column].map(_number)).pivot(index="vertical", columns="kh", values="D")
         sign_map(axes, square.columns.to_numpy(), square.index.to_numpy(), square.to_numpy())
-        kh_axis(axes)
+        kh_axis(axes, "kh  (rad)")
         axes.set_ylabel(label)
-        extra = f", σ/C = {_number(middle):g}" if key == "map_Q" else ", Q = 0"
-        axes.set_title(f"{reading_label}, h = {p.spacings[-1]}{extra}", fontsize=9)
-    sign_key(figure, "D > 0: both frequencies real", "D < 0: one grows")
+        if key == "map_stress":
+            axes.axhline(-1, color="#FFFFFF", linewidth=2.5)
+            axes.axhline(-1, color="#000000", linewidth=1.2, linestyle=":")
+        fixed = f"σ/C = {_number(_middle(p)):g}" if key == "map_Q" else "Q = 0"
+        axes.set_title(f"{reading}; h = {p.spacings[-1]}, {fixed}", fontsize=8)
+    sign_key(below, "D > 0: both frequencies real", "D < 0: one grows", "C + σ = 0")
     return {name: Drawing(figure, caption, alternative)}
+
+
+def _middle(p: Parameters) -> str:
+    return p.stresses[len(p.stresses) // 2]
+
+
+def _curves(axes: Any, p: Parameters, tables: Tables, h: str) -> None:
+    curves = tables["curves"].frame.astype({"kh": float, "D": float})
+    for reading, thickness in zip(p.readings[:2], (1.7, 0.7), strict=False):
+        for style, Q in zip(LINES, p.gradients, strict=False):
+            part = curves[
+                (curves["reading"] == reading.label)
+                & (curves["spacing"] == h)
+                & (curves["stress_ratio"] == _middle(p))
+                & (curves["Q"] == Q)
+            ]
+            label = f"Q = {_number(Q):g}" if thickness > 1 else None
+            axes.plot(part["kh"], part["D"], label=label, **{**style, "linewidth": thickness})
+    axes.axhline(0, color="#606060", linewidth=0.8)
+    kh_axis(axes)
+    axes.set_ylabel("D ρh²/C  (1)")
+    thick, thin = p.readings[0].label, p.readings[1].label
+    axes.set_title(f"h = {h}, σ/C = {_number(_middle(p)):g}; thick: {thick}, thin: {thin}", fontsize=9)
+    axes.legend(fontsize=8, ncols=2)
 
 
 def tried(p: Parameters) -> str:

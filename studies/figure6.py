@@ -9,7 +9,6 @@ from studies._discriminants import Parameters
 PARAMETERS = Parameters(
     readings=shared.SCNI,
     stresses=("-11/10", "-3/2", "-2"),
-    map_stresses=tuple(f"-{n}/8" for n in range(24, 8, -1)),
     tried_stresses=("-101/100", "-11/10", "-3/2", "-2", "-5"),
 )
 
@@ -20,7 +19,6 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
         "Figure 6 from (79) as printed: R = 3/2, 0 <= Q <= 2 and C^sigma + sigma < 0 as the paper states; C(h/2) at the cell's edge (thick) and with the moment matrix at the node (thin). "
         f"{shared.open_parameters(p)}"
     )
-    found = shared.verdicts(p, tables)
     alternative = (
         f"D over kh is negative over most wave numbers at h = {p.spacings[0]}. At h = {p.spacings[-1]} a velocity gradient lifts it: the map over kh and Q turns from "
         "the unstable to the stable colour as Q grows, although the continuum is unstable throughout."

@@ -134,7 +134,7 @@ def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
         ),
         Statement(
             "true_rate",
-            ("E38",),
+            ("E39", "C25"),
             "With the rate of C the product rule gives the time series of Psi exactly, and the rates sum to exactly 0 over the nodes.",
             true,
             tried,

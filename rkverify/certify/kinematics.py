@@ -5,6 +5,7 @@ Each function returns rows (plain dicts) for a study's table; differences are ex
 
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
+from functools import partial
 from itertools import pairwise
 from typing import Any
 
@@ -71,26 +72,28 @@ def reproduction(sets: Sequence[NodeSet]) -> list[Row]:
     ]
 
 
+def _routes(nodes: NodeSet, order: int) -> dict[str, Callable[[Fraction], Values]]:
+    """The independent routes that there are for an order: name -> x -> shape functions."""
+    routes: dict[str, Callable[[Fraction], Values]] = {
+        "constrained minimisation": partial(_minimised, nodes=nodes, order=order)
+    }
+    if order == 1:
+        routes["Cramer's rule"] = partial(linear_shape_functions_in_closed_form, nodes.nodes, nodes.supports)
+    return routes
+
+
+def _minimised(x: Fraction, nodes: NodeSet, order: int) -> Values:
+    return shape_functions_by_minimisation(nodes.nodes, nodes.supports, x, order)
+
+
 def shape_routes(sets: Sequence[NodeSet]) -> list[Row]:
     """The largest difference of (4) from constrained minimisation, and for order 1 from the closed form."""
     rows = []
     for nodes, order in _cases(sets):
         A = build(nodes, order)
-
-        def gap(route: Callable[[Fraction], Values], A: Approximation = A, nodes: NodeSet = nodes) -> str:
-            return str(_largest(_gap(shape_functions(A, (x,)), route(x)) for x in nodes.points))
-
-        routes: dict[str, Callable[[Fraction], Values]] = {
-            "constrained minimisation": lambda x, n=order, s=nodes: shape_functions_by_minimisation(
-                s.nodes, s.supports, x, n
-            )
-        }
-        if order == 1:
-            routes["Cramer's rule"] = lambda x, s=nodes: linear_shape_functions_in_closed_form(s.nodes, s.supports, x)
-        rows += [
-            {"nodes": nodes.name, "order": order, "route": name, "difference": gap(route)}
-            for name, route in routes.items()
-        ]
+        for name, route in _routes(nodes, order).items():
+            gap = _largest(_gap(shape_functions(A, (x,)), route(x)) for x in nodes.points)
+            rows.append({"nodes": nodes.name, "order": order, "route": name, "difference": str(gap)})
     return rows
 
 

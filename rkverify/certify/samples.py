@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import pairwise
 
 import numpy as np
 
@@ -29,7 +30,7 @@ def rational_node_sets(count: int, seed: int) -> list[NodeSet]:
     jitter = [Fraction(int(q), 100) * h for q in rng.integers(-35, 36, size=count)]
     own = tuple((3 + Fraction(int(q), 20)) * h for q in rng.integers(0, 20, size=count))
     graded = [x * (1 + x) / 2 for x in uniform]
-    widest = max(q - p for p, q in zip(graded, graded[1:], strict=False))
+    widest = max(q - p for p, q in pairwise(graded))
     velocities = tuple(Fraction(int(q), 10) for q in rng.integers(-10, 11, size=count))
     return [
         _set("uniform", uniform, tuple([Fraction(5, 2) * h] * count), velocities),

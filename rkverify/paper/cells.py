@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 from rkverify.arithmetic.base import Arithmetic, Scalar
 from rkverify.errors import BadInput
@@ -31,7 +32,7 @@ def nodal_cells(nodes: Sequence[Scalar], left: Scalar, right: Scalar, K: Arithme
                 f"node {node} at {K.text(x)} lies outside the domain [{K.text(left)}, {K.text(right)}]: move it or widen the domain"
             )
     ranked = sorted(range(len(nodes)), key=lambda I: K.witness(nodes[I]))
-    edges = [left, *((nodes[I] + nodes[J]) / 2 for I, J in zip(ranked, ranked[1:], strict=False)), right]
+    edges = [left, *((nodes[I] + nodes[J]) / 2 for I, J in pairwise(ranked)), right]
     cells = dict(zip(ranked, map(Cell, edges, edges[1:]), strict=True))
     for node, cell in cells.items():
         if K.sign(cell.measure) <= 0:

@@ -1,15 +1,16 @@
 """How figures look: colours that keep apart in grey print and for colour-blind readers, and SVG that is reproducible."""
 
 from io import StringIO
-from typing import TYPE_CHECKING
+from math import pi
+from typing import TYPE_CHECKING, Any
 from xml.sax.saxutils import escape
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
+    from matplotlib.figure import Figure, FigureBase
 
 # Okabe and Ito's palette, ordered from dark to light, each with a dash of its own.
-LINES = (
+LINES: tuple[dict[str, Any], ...] = (
     {"color": "#000000", "linestyle": "-"},
     {"color": "#0072B2", "linestyle": (0, (5, 1.5))},
     {"color": "#D55E00", "linestyle": (0, (1, 1))},
@@ -19,7 +20,7 @@ LINES = (
 )
 POSITIVE, NEGATIVE = "#DDE8F0", "#E8A06A"
 
-SETTINGS = {
+SETTINGS: dict[Any, Any] = {
     "figure.constrained_layout.use": True,
     "figure.dpi": 100,
     "font.family": "DejaVu Sans",
@@ -51,38 +52,38 @@ def new_figure(width: float, height: float) -> "Figure":
     return figure
 
 
-def kh_axis(axes: "Axes") -> None:
+def kh_axis(axes: "Axes", label: str = "wave number times spacing  kh  (rad)") -> None:
     """Label a horizontal axis that runs over kh from 0 to pi."""
-    from math import pi
-
     axes.set_xlim(0, pi)
     axes.set_xticks([0, pi / 4, pi / 2, 3 * pi / 4, pi], ["0", "π/4", "π/2", "3π/4", "π"])
-    axes.set_xlabel("wave number times spacing  kh  (rad)")
+    axes.set_xlabel(label)
 
 
-def sign_map(axes: "Axes", x: object, y: object, values: object) -> None:
+def sign_map(axes: "Axes", x: Any, y: Any, values: Any) -> None:
     """Show where values(y, x) is positive (light, plain) and negative (dark, hatched), with the border drawn."""
     import numpy as np
 
     field = np.asarray(values, dtype=float)
     low, high = min(float(field.min()), -1e-300), max(float(field.max()), 1e-300)
-    axes.contourf(x, y, field, levels=[low * 2, 0, high * 2], colors=[NEGATIVE, POSITIVE], hatches=["////", None])  # type: ignore[arg-type]
+    axes.contourf(x, y, field, levels=[low * 2, 0, high * 2], colors=[NEGATIVE, POSITIVE], hatches=["////", None])
     if field.min() < 0 < field.max():
-        axes.contour(x, y, field, levels=[0], colors=["#000000"], linewidths=[1.5])  # type: ignore[arg-type]
+        axes.contour(x, y, field, levels=[0], colors=["#000000"], linewidths=[1.5])
     axes.grid(False)
 
 
-def sign_key(figure: "Figure", positive: str, negative: str) -> None:
-    """A legend for `sign_map` below the figure."""
+def sign_key(figure: "FigureBase", positive: str, negative: str, line: str) -> None:
+    """A legend for `sign_map`, and for a dotted line in it, below the figure."""
+    from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
 
     figure.legend(
         handles=[
             Patch(facecolor=POSITIVE, edgecolor="#000000", label=positive),
             Patch(facecolor=NEGATIVE, edgecolor="#000000", hatch="////", label=negative),
+            Line2D([], [], color="#000000", linestyle=":", label=line),
         ],
         loc="outside lower center",
-        ncols=2,
+        ncols=3,
     )
 
 

@@ -1,0 +1,1 @@
+"""The pages: ledger, statements, tables and figures as a site that opens from disk."""
