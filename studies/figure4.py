@@ -85,7 +85,25 @@ def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
     zero_everywhere = bool((near["at_pi"].astype(float) == 0).all())
     span = f"R = {', '.join(p.support_ratios)}, kh = pi n/{p.samples}"
     is_square = all(consequences.lagrangian_as_square(m) == 0 for m in (1, 2, 3, 4))
+    derived = consequences.lagrangian_tangent() == 0
     return [
+        Statement(
+            "tangent",
+            ("E59", "C27"),
+            "The derivative of P = S F with S from the Green strain is C^SE F^2 + S, for every F.",
+            derived,
+            "all F, free modulus",
+            "proved",
+        ),
+        Statement(
+            "stress",
+            ("E53", "E54", "E55"),
+            "Green strain, S and P as transcribed have the tangent (59).",
+            derived,
+            "all F, free modulus",
+            "proved",
+            routes=("the derivative is (59)",),
+        ),
         Statement(
             "flat_before_pi",
             ("F4", "C32"),

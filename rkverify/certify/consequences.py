@@ -108,6 +108,13 @@ def steps() -> list[Step]:
     ]
 
 
+def lagrangian_tangent() -> sympy.Expr:
+    """dP/dF of (53)-(55) less the factor of f~ in (59)."""
+    F = sympy.Symbol("F", positive=True)
+    S = lagrangian.second_piola_kirchhoff(MODULUS, lagrangian.green_strain(F))
+    return sympy.expand(sympy.diff(lagrangian.first_piola_kirchhoff(S, F), F) - lagrangian.tangent(MODULUS, F, S))
+
+
 def lagrangian_as_square(m: int) -> sympy.Expr:
     """(63) less c^2 times the squared modulus of sum_K b^_K e^{i K kh}, for free gradients b of half-width m."""
     b = list(sympy.symbols(f"b_1:{2 * m + 2}", real=True))

@@ -7,8 +7,8 @@ from argparse import Namespace
 from rkverify.errors import BadInput
 from rkverify.paths import checkout
 from rkverify.workflow import records, runner
-from rkverify.workflow.discovery import choose, load
-from rkverify.workflow.identity import Sources
+from rkverify.workflow.discovery import load
+from rkverify.workflow.schedule import Outcome
 
 
 def _processes(options: Namespace) -> int:
@@ -20,19 +20,15 @@ def _processes(options: Namespace) -> int:
 def show(options: Namespace) -> int:
     """List the studies."""
     place = checkout()
-    sources = Sources(place)
-    for name in choose(place, []):
-        study = load(place, name)
-        identity = sources.identity(name, study.parameters)
-        record = records.last_run(place, name)
-        current = records.is_current(place, name, identity.total)
-        state = "current" if current else "changed" if record else "not run here"
+    for job in runner.jobs(place, []):
+        record = records.last_run(place, job.name)
+        state = "current" if job.is_current() else "changed" if record else "not run here"
         seconds = f"{record.seconds:6.1f} s" if record else "       -"
-        print(f"{name:22} {state:13} {seconds}  {study.title}")
+        print(f"{job.name:22} {state:13} {seconds}  {load(place, job.name).title}")
     return 0
 
 
-def _tell(outcome: runner.Outcome, done: str) -> int:
+def _tell(outcome: Outcome, done: str) -> int:
     for name, message in sorted(outcome.failed.items()):
         for line in message.splitlines():
             print(f"rkverify: {name}: {line}", file=sys.stderr)

@@ -174,7 +174,15 @@ def findings(site: Site) -> list[dict[str, Any]]:
             word = READING if all(s.startswith(READING) for s in states) else FAILS
             where = ", ".join(filter(None, [e.layer, e.reading]))
             found.append(
-                {"about": e.about, "state": word, "css": CSS[word], "says": e.says, "where": where, "study": e.study, "name": e.name}
+                {
+                    "about": e.about,
+                    "state": word,
+                    "css": CSS[word],
+                    "says": e.says,
+                    "where": where,
+                    "study": e.study,
+                    "name": e.name,
+                }
             )
     return sorted(found, key=lambda f: f["state"] != FAILS)
 

@@ -1,6 +1,7 @@
 """The manifest: every artefact under reports/results with its hash, and the identity it was made under."""
 
 import json
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -40,6 +41,32 @@ def write(place: Checkout, names: list[str]) -> None:
     text = canonical(build(place, names))
     if read(place.manifest) != text:
         write_atomically(place.manifest, text)
+
+
+def committed(place: Checkout) -> dict[str, Any]:
+    """study -> identity and files, as the manifest lists them; empty where there is no readable one."""
+    try:
+        studies: dict[str, Any] = json.loads(read(place.manifest) or "")["studies"]
+    except (ValueError, KeyError, TypeError):
+        return {}
+    return studies
+
+
+def is_as_listed(place: Checkout, name: str, file: str) -> bool:
+    """Whether a study's file stands as the manifest lists it."""
+    text = read(place.results / name / file)
+    listed = committed(place).get(name, {}).get("files", {}).get(file)
+    return text is not None and digest(text.encode()) == listed
+
+
+def stale(place: Checkout, identities: Mapping[str, str]) -> list[str]:
+    """Complaints: studies whose sources, parameters or environment are not those of the committed results."""
+    listed = {name: data.get("identity") for name, data in committed(place).items()}
+    return [
+        f"the committed results of {name} were made by other sources: run `make reproduce` and commit"
+        for name, identity in identities.items()
+        if listed.get(name) != identity
+    ]
 
 
 def unowned(place: Checkout, names: list[str]) -> list[str]:
