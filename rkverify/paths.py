@@ -47,20 +47,14 @@ class Checkout:
         return path.relative_to(self.root).as_posix() if path.is_relative_to(self.root) else str(path)
 
 
-def _is_checkout(folder: Path) -> bool:
-    return (folder / "studies" / "__init__.py").is_file() and (folder / "rkverify" / "paths.py").is_file()
-
-
 def checkout() -> Checkout:
-    """The checkout that this package belongs to, or else the one around the working directory.
+    """The checkout that this package runs from: its sources are the ones whose hashes go into identities.
 
-    Raises NeedsCheckout where there is none, as with an installed wheel.
+    Raises NeedsCheckout for an installed wheel.
     """
-    package = Path(__file__).resolve().parents[1]
-    here = Path.cwd()
-    for folder in (package, here, *here.parents):
-        if _is_checkout(folder):
-            return Checkout(folder, folder / "reports" / "results", folder / "reports", folder / ".rkverify")
-    raise NeedsCheckout(
-        "this command works on the studies: run it inside a checkout of rkverify (git clone), not from a wheel"
-    )
+    root = Path(__file__).resolve().parents[1]
+    if not (root / "studies" / "__init__.py").is_file():
+        raise NeedsCheckout(
+            "this command works on the studies, which a wheel does not have: run `python -m rkverify` in a checkout (git clone)"
+        )
+    return Checkout(root, root / "reports" / "results", root / "reports", root / ".rkverify")

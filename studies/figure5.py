@@ -2,9 +2,12 @@
 
 from collections.abc import Mapping, Sequence
 
+from rkverify.certify.curves import convective_gain
 from rkverify.workflow.study import Drawing, Statement, Study, Tables
 from studies import _discriminants as shared
 from studies._discriminants import Parameters
+
+SLIGHTLY = 0.05
 
 PARAMETERS = Parameters(
     readings=shared.SCNI,
@@ -29,7 +32,7 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
 
 def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
     """D is nowhere negative; it is zero, not positive, at kh = pi where Q = 0."""
-    return [
+    signs = [
         Statement(
             f"figure_{v.key}",
             ("F5", "C44"),
@@ -44,6 +47,24 @@ def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
         )
         for v in shared.verdicts(p, tables)
     ]
+    largest_Q = p.gradients[-1]
+    gains = {h: convective_gain(p.support_ratio, h, p.stresses[1], largest_Q, p.samples) for h in p.spacings}
+    slight = [
+        Statement(
+            f"gain_h_{h.replace('/', '_')}",
+            ("C57",),
+            f"h = {h}: a velocity gradient Q = {largest_Q} raises D by at most {gain:.3g} of its peak without it; 'slightly' is taken as below {SLIGHTLY:g}.",
+            gain < SLIGHTLY,
+            f"R = {p.support_ratio}, sigma/C = {p.stresses[1]}, kh = pi n/{p.samples}; rho = C^sigma = 1",
+            "sampled",
+            SLIGHTLY - gain,
+            "share of the peak below the rule's bound",
+            layer="printed",
+            reading=f"h = {h}",
+        )
+        for h, gain in gains.items()
+    ]
+    return signs + slight
 
 
 STUDY = Study(

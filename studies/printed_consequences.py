@@ -51,31 +51,93 @@ def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
         return Statement(name, about, says, holds, anything, "proved", layer=layer, reading=reading, routes=routes)
 
     return [
-        proved("76", ("E76", "C38"), "(76) is (75) with the plane wave e^{i(kx + omega t)}.", follows("(75) -> (76), plus"), "plane wave e^{i(kx + omega t)}"),
-        proved("76_minus", ("E76", "C38"), "With e^{i(kx - omega t)} the term in omega changes its sign.", follows("(75) -> (76), minus"), "plane wave e^{i(kx - omega t)}"),
-        proved("82", ("E82", "C48"), "(82) is (81) with the plane wave e^{i(kx + omega t)}.", follows("(81) -> (82), plus"), "plane wave e^{i(kx + omega t)}"),
-        proved("82_minus", ("E82", "C48"), "With e^{i(kx - omega t)} the term in omega changes its sign.", follows("(81) -> (82), minus"), "plane wave e^{i(kx - omega t)}"),
-        proved("62", ("E62",), "Of the two signs that the scan of (62) leaves open only the plus sign leads from (75) to (76) and from (81) to (82).",
-               follows("(75) -> (76), plus", "(81) -> (82), plus") and not follows("(75) -> (76), minus"), routes=("(75) -> (76)", "(81) -> (82)")),
-        proved("77_to_79", ("E77", "E78", "E79"), "(77)-(79) restate (76): same polynomial, and D under the root.",
-               follows("(76) = (77) with (78)", "(79) is the discriminant of (77)"), routes=("(76) expanded", "roots put in")),
-        proved("83_to_85", ("E83", "E84", "E85"), "(83)-(85) restate (82): same polynomial, and D under the root.",
-               follows("(82) = (83) with (84)", "(85) is the discriminant of (83)"), routes=("(82) expanded", "roots put in")),
-        proved("86_87", ("E86", "E87", "C54"), "(86) and (87) are (76) and (82) without every term that carries Q.",
-               follows("(76) without its Q terms -> (86)", "(82) without its Q terms -> (87)")),
-        proved("real_roots", ("C39",), "B and C of (77) are real, so that D >= 0 is the condition for two real roots omega.",
-               follows("(79) is the discriminant of (77)", "(85) is the discriminant of (83)")),
-        proved("non_negative", ("C40", "C42"), "D of (79) is a sum of squares with non-negative weights where C^sigma + sigma >= 0.", squares),
+        proved(
+            "76", ("E76", "C38"), "(76) is (75) with the plane wave e^{i(kx + omega t)}.", follows("(75) -> (76), plus")
+        ),
+        proved(
+            "82", ("E82", "C48"), "(82) is (81) with the plane wave e^{i(kx + omega t)}.", follows("(81) -> (82), plus")
+        ),
+        proved(
+            "62",
+            ("E62",),
+            "Of the two signs that the scan of (62) leaves open only the plus sign leads from (75) to (76) and from (81) to (82).",
+            follows("(75) -> (76), plus", "(81) -> (82), plus")
+            and not follows("(75) -> (76), minus")
+            and not follows("(81) -> (82), minus"),
+            routes=("(75) -> (76)", "(81) -> (82)"),
+        ),
+        proved(
+            "77_to_79",
+            ("E77", "E78", "E79"),
+            "(77)-(79) restate (76): same polynomial, and D under the root.",
+            follows("(76) = (77) with (78)", "(79) is the discriminant of (77)"),
+            routes=("(76) expanded", "roots put in"),
+        ),
+        proved(
+            "83_to_85",
+            ("E83", "E84", "E85"),
+            "(83)-(85) restate (82): same polynomial, and D under the root.",
+            follows("(82) = (83) with (84)", "(85) is the discriminant of (83)"),
+            routes=("(82) expanded", "roots put in"),
+        ),
+        proved(
+            "86_87",
+            ("E86", "E87", "C54"),
+            "(86) and (87) are (76) and (82) without every term that carries Q.",
+            follows("(76) without its Q terms -> (86)", "(82) without its Q terms -> (87)"),
+        ),
+        proved(
+            "real_roots",
+            ("C39",),
+            "B and C of (77) are real, so that D >= 0 is the condition for two real roots omega.",
+            follows("(79) is the discriminant of (77)", "(85) is the discriminant of (83)"),
+        ),
+        proved(
+            "non_negative",
+            ("C40", "C42"),
+            "D of (79) is a sum of squares with non-negative weights where C^sigma + sigma >= 0.",
+            squares,
+        ),
         proved("sign_of_Q", ("C43",), "D of (79) does not change when Q changes its sign.", even),
-        proved("gain_scni", ("C56", "C57"), "With the convective term D of (79) is larger by B^2 + (4 Q C(h) phi'(h)/R)^2 (1 - cos kh), never smaller.", gain["SCNI"]),
-        proved("gain_dni", ("C58",), "With the convective term D of (85) is larger by the same squares, never smaller.", gain["DNI"]),
-        proved("no_tensile_instability", ("C59",), "(86) is (C^sigma + sigma) times squares: stress alone, with C^sigma + sigma >= 0, gives no negative omega^2.",
-               squares and follows("(76) without its Q terms -> (86)")),
-        proved("tensile_instability", ("C60",), f"At kh = pi four times (87) is {still}: negative exactly when sigma Psi,xx(h) > 0.", at_pi_as_expected),
-        proved("sign_of_stress_term", ("C49",), f"Without Q, D at kh = pi is {still}, and sigma Psi,xx(h) <= 0 with C^sigma + sigma >= 0 makes D >= 0 at every kh: its sign decides.", at_pi_as_expected, "Q = 0"),
-        proved("sign_of_stress_term_Q", ("C49",), f"With Q, D at kh = pi is {at_pi}: a positive sigma Psi,xx(h) turns it only beyond 2 rho (Q C(h) phi'(h)/R)^2.",
-               consequences.stress_sign_alone_decides(), "Q not 0"),
-    ]  # fmt: skip
+        proved(
+            "gain_scni",
+            ("C56",),
+            "With the convective term D of (79) is larger by B^2 + (4 Q C(h) phi'(h)/R)^2 (1 - cos kh), never smaller.",
+            gain["SCNI"],
+        ),
+        proved(
+            "gain_dni",
+            ("C58",),
+            "With the convective term D of (85) is larger by the same squares, never smaller.",
+            gain["DNI"],
+        ),
+        proved(
+            "no_tensile_instability",
+            ("C59",),
+            "(86) is (C^sigma + sigma) times squares: stress alone, with C^sigma + sigma >= 0, gives no negative omega^2.",
+            squares and follows("(76) without its Q terms -> (86)"),
+        ),
+        proved(
+            "tensile_instability",
+            ("C60",),
+            f"At kh = pi four times (87) is {still}: negative exactly when sigma Psi,xx(h) > 0.",
+            at_pi_as_expected,
+        ),
+        proved(
+            "sign_of_stress_term",
+            ("C49",),
+            f"Without Q, D at kh = pi is {still}, and sigma Psi,xx(h) <= 0 with C^sigma + sigma >= 0 makes D >= 0 at every kh: its sign decides.",
+            at_pi_as_expected,
+            "Q = 0",
+        ),
+        proved(
+            "sign_of_stress_term_Q",
+            ("C49",),
+            f"With Q, D at kh = pi is {at_pi}: a positive sigma Psi,xx(h) turns it only beyond 2 rho (Q C(h) phi'(h)/R)^2.",
+            consequences.stress_sign_alone_decides(),
+            "Q not 0",
+        ),
+    ]
 
 
 STUDY = Study("Printed relations and their printed consequences", Parameters(), Parameters(), compute, judge)

@@ -149,3 +149,15 @@ def census(
                 }
             )
     return rows
+
+
+def convective_gain(support_ratio: str, spacing: str, stress: str, Q: str, samples: int) -> float:
+    """The largest D(Q) - D(0) over kh, over the largest D(0): how much the convective term adds for SCNI."""
+    K = Ball(PRECISION)
+    quadratic = relation(Reading("scni"), support_ratio, spacing, K)
+    _, kh = _samples(samples, K)
+    with_term, without = (
+        [quadratic.discriminant(quadratic.state(stress, gradient), theta) for theta in kh] for gradient in (Q, "0")
+    )
+    gains = [K.witness(a - b) for a, b in zip(with_term, without, strict=True)]
+    return float(max(gains) / max(K.witness(b) for b in without))

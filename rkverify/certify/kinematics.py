@@ -19,8 +19,9 @@ from rkverify.certify.independent import (
     linear_shape_functions_in_closed_form,
     shape_functions_by_minimisation,
 )
-from rkverify.certify.samples import NodeSet
+from rkverify.certify.samples import NodeSet, jittered_grid
 from rkverify.paper.approximation import Approximation, approximation
+from rkverify.paper.basis import exponents
 from rkverify.paper.cells import nodal_cells
 from rkverify.paper.gradients import direct_gradient, smoothed_gradient
 from rkverify.paper.kernel_rates import lagrangian_kernel_rate, phi, semi_lagrangian_kernel_rate
@@ -70,6 +71,25 @@ def reproduction(sets: Sequence[NodeSet]) -> list[Row]:
         for nodes, order in _cases(sets)
         for degree in range(order + 2)
     ]
+
+
+def reproduction_in_space(dimension: int, per_side: int, seed: int, digits: int) -> list[Row]:
+    """The largest residual of (3) over all monomials of each degree, with a radial kernel in 2-D or 3-D, at many digits.
+
+    Distances are not rational there: the residual is a rounding error where the condition holds.
+    """
+    high = Multiprecision(digits)
+    nodes = jittered_grid(dimension, per_side, seed)
+    centre = [Fraction(per_side - 1, 2) + Fraction(axis + 1, 7) for axis in range(dimension)]
+    rows = []
+    for order in ORDERS:
+        A = approximation(nodes, Fraction(23, 10), high, "cubic", order)
+        x = A.point(*centre)
+        for degree in range(order + 2):
+            monomials = [alpha for alpha in exponents(dimension, degree) if sum(alpha) == degree]
+            worst = max(high.absolute(reproducing_residual(A, x, alpha)) for alpha in monomials)
+            rows.append({"dimension": dimension, "order": order, "degree": degree, "residual": f"{float(worst):.3g}"})
+    return rows
 
 
 def _routes(nodes: NodeSet, order: int) -> dict[str, Callable[[Fraction], Values]]:

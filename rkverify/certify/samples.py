@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import pairwise
+from itertools import pairwise, product
 
 import numpy as np
 
@@ -49,3 +49,15 @@ def _set(name: str, nodes: list[Fraction], supports: tuple[Fraction, ...], veloc
         nodes[0] + (nodes[1] - nodes[0]) / 3,
     )
     return NodeSet(name, tuple(nodes), supports, points, velocities)
+
+
+def jittered_grid(dimension: int, per_side: int, seed: int) -> list[tuple[Fraction, ...]]:
+    """The nodes of a grid with spacing 1 and `per_side` nodes along each axis, each moved by up to a quarter."""
+    rng = np.random.default_rng(seed)
+    return [
+        tuple(
+            Fraction(c) + Fraction(int(q), 100)
+            for c, q in zip(place, rng.integers(-25, 26, size=dimension), strict=True)
+        )
+        for place in product(range(per_side), repeat=dimension)
+    ]
