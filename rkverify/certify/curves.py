@@ -7,9 +7,9 @@ from typing import Any
 
 from rkverify.arithmetic.ball import Ball
 from rkverify.certify.enclosed import certain_digits, half_wave_numbers
-from rkverify.paper.notation import HalfPoint, lattice_values
+from rkverify.paper.notation import lattice_values
 from rkverify.paper.printed_lagrangian import b_hat, bandwidth, omega_squared
-from rkverify.paper.shape import Derivative
+from rkverify.readings import Derivative, HalfPoint
 from rkverify.stability.printed import PrintedQuadratic
 
 Row = dict[str, Any]

@@ -27,14 +27,13 @@ from rkverify.paper.gradients import direct_gradient, smoothed_gradient
 from rkverify.paper.kernel_rates import lagrangian_kernel_rate, phi, semi_lagrangian_kernel_rate
 from rkverify.paper.material_rates import acceleration, psi_star, true_rate
 from rkverify.paper.shape import (
-    DERIVATIVES,
-    Derivative,
     Values,
     reproducing_residual,
     shape_functions,
     shape_gradient,
     shape_second,
 )
+from rkverify.readings import DERIVATIVES, Derivative
 
 ORDERS = (0, 1, 2)
 GAUSS_POINTS = 16

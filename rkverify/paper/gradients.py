@@ -4,7 +4,8 @@ from rkverify.arithmetic.base import Scalar
 from rkverify.paper.approximation import Approximation, Vector
 from rkverify.paper.cells import Cell
 from rkverify.paper.numbered import equation
-from rkverify.paper.shape import Derivative, Values, shape_functions, shape_gradient
+from rkverify.paper.shape import Values, shape_functions, shape_gradient
+from rkverify.readings import Derivative
 
 
 @equation(52, 72)

@@ -5,23 +5,19 @@ at the cell's edge x_{I+1/2}. Both are offered: `literal` and `edge`.
 """
 
 from dataclasses import dataclass
-from typing import Literal, get_args
 
 from rkverify.arithmetic.base import Arithmetic, Scalar
 from rkverify.errors import UnknownName
 from rkverify.paper.approximation import lattice, middle
 from rkverify.paper.kernel_rates import phi
 from rkverify.paper.shape import (
-    Derivative,
     correction,
     diffuse_gradient_slope,
     shape_functions,
     shape_gradient,
     shape_second,
 )
-
-HalfPoint = Literal["literal", "edge"]
-HALF_POINTS: tuple[HalfPoint, ...] = get_args(HalfPoint)
+from rkverify.readings import HALF_POINTS, Derivative, HalfPoint
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,6 @@
 """RK shape functions (2)-(4), (9), (28)-(31), and their derivatives in every reading of the word."""
 
 from math import factorial, prod
-from typing import Literal, get_args
 
 from rkverify.arithmetic.base import Scalar
 from rkverify.errors import BadInput, UnknownName
@@ -15,14 +14,7 @@ from rkverify.paper.moment import (
     coefficients_second_rate,
 )
 from rkverify.paper.numbered import equation
-
-Derivative = Literal["full", "diffuse", "frozen-b", "frozen"]
-DERIVATIVES: tuple[Derivative, ...] = get_args(Derivative)
-"""Readings of the derivative of a shape function.
-
-full: of everything that depends on x; diffuse: the row of M^-1 H phi that belongs to the derivative;
-frozen-b: of polynomial times kernel with b(x) held; frozen: of the kernel alone, times C.
-"""
+from rkverify.readings import DERIVATIVES, Derivative
 
 Values = dict[int, Scalar]
 """node -> value, for the nodes whose support may reach the point."""

@@ -8,16 +8,14 @@ from rkverify.arithmetic.base import Arithmetic, Scalar
 from rkverify.arithmetic.native import Float
 from rkverify.errors import BadInput, UnknownName
 from rkverify.paper import printed_lagrangian
-from rkverify.paper.notation import HALF_POINTS, HalfPoint, lattice_values
-from rkverify.paper.shape import DERIVATIVES, Derivative
+from rkverify.paper.notation import lattice_values
+from rkverify.readings import DERIVATIVES, HALF_POINTS, INTEGRATIONS, Derivative, HalfPoint, Integration
 from rkverify.stability.printed import PrintedQuadratic
 from rkverify.stability.roots import Root, quadratic_roots
 
 Formulation = Literal["lagrangian", "semi-lagrangian"]
-Integration = Literal["scni", "dni"]
 Layer = Literal["printed"]
 FORMULATIONS: tuple[Formulation, ...] = get_args(Formulation)
-INTEGRATIONS: tuple[Integration, ...] = get_args(Integration)
 LAYERS: tuple[Layer, ...] = get_args(Layer)
 
 

@@ -1,0 +1,1 @@
+"""The second route: the same objects as `paper/`, vectorised in double precision, real or complex (complex step)."""
