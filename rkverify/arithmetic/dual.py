@@ -65,7 +65,8 @@ class Dual:
     def __pow__(self, power: int) -> "Dual":
         if power == 0:
             return Dual(self.value**0, tuple(0 * p for p in self.partials))
-        return self._with(self.value**power, power * self.value ** (power - 1))
+        # 0^0 never arises: not every arithmetic has it.
+        return self._with(self.value**power, power * self.value ** (power - 1) if power > 1 else 1)
 
 
 class Duals(Arithmetic):

@@ -65,8 +65,14 @@ def _shape(parser: ArgumentParser) -> None:
 def _dispersion(parser: ArgumentParser) -> None:
     parser.add_argument("--formulation", required=True, metavar="NAME", help="lagrangian or semi-lagrangian")
     parser.add_argument("--integration", required=True, metavar="NAME", help="scni or dni")
-    parser.add_argument("--layer", default="printed", metavar="NAME", help="printed: the formula in print (default)")
-    parser.add_argument("--no-convective", action="store_true", help="(86), (87): without the convective term")
+    parser.add_argument(
+        "--layer",
+        default="printed",
+        metavar="NAME",
+        help="printed: the formula in print (default); as-defined: the linearisation of the equations as the paper defines "
+        "them; consistent: the same with the true material rate; simulated: measured in a nonlinear computation",
+    )
+    parser.add_argument("--no-convective", action="store_true", help="without the convective term, (86), (87)")
     parser.add_argument("--support-ratio", required=True, metavar="R", help="support radius over spacing")
     parser.add_argument("--stress-ratio", default="0", metavar="S", help="sigma/C^sigma, or S/C^SE (default 0)")
     parser.add_argument("--stretch", default="1", metavar="F", help="deformation gradient, Lagrangian only (default 1)")
@@ -75,7 +81,27 @@ def _dispersion(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--half-point", default="edge", metavar="READING", help="C(h/2): literal or edge (default edge)"
     )
+    parser.add_argument(
+        "--frame-velocity", default="0", metavar="V", help="velocity of the node (default 0; not printed)"
+    )
+    readings = parser.add_argument_group("readings of what the paper leaves open (layers other than printed)")
+    readings.add_argument(
+        "--stress-law",
+        default="truesdell",
+        metavar="NAME",
+        help="truesdell, cauchy-rate or literal (69) (default truesdell)",
+    )
+    readings.add_argument(
+        "--node-motion", default="coefficient", metavar="NAME", help="nodes move with their coefficient or the field"
+    )
+    readings.add_argument(
+        "--cell-edges", default="voronoi", metavar="NAME", help="voronoi, material or fixed (default voronoi)"
+    )
+    readings.add_argument(
+        "--cell-measure", default="edges", metavar="NAME", help="edges, material or fixed (default edges)"
+    )
     _kernel_and_order(parser)
+    parser.add_argument("--arithmetic", default="float", metavar="NAME", help="float or mp:DIGITS (default float)")
     where = parser.add_mutually_exclusive_group()
     where.add_argument("--kh", nargs="+", metavar="VALUE", help="wave numbers times spacing, in radians")
     where.add_argument("--samples", type=int, default=32, metavar="N", help="kh = pi/N, 2 pi/N, …, pi (default 32)")
@@ -126,7 +152,8 @@ COMMANDS = (
         "dispersion",
         "frequencies and growth of a plane wave on the uniform lattice",
         "Roots omega of the dispersion relation for a plane wave e^{i(kx + omega t)}; growth = -Im(omega); rho = 1,\n"
-        "modulus 1. Columns kh,root,omega_re,omega_im,omega2_re,omega2_im,growth and D where the paper defines it.",
+        "modulus 1. Columns kh,root,omega_re,omega_im,omega2_re,omega2_im,growth, and D where the paper defines it;\n"
+        "a simulation adds growth_uncertainty and takes the nearest kh that fits on its periodic chain.",
         "  rkverify dispersion --formulation semi-lagrangian --integration dni --layer printed \\\n"
         "      --support-ratio 1.5 --stress-ratio 0.5 --kh 0.5 1 3",
         _dispersion,

@@ -1,13 +1,16 @@
 """rkverify dispersion"""
 
 from argparse import Namespace
-from math import pi
+from typing import Any
 
-from rkverify.arithmetic.native import Float
+from rkverify.arithmetic.base import Arithmetic, Scalar
+from rkverify.arithmetic.named import arithmetic
 from rkverify.cli.tables import write_table
 from rkverify.errors import BadInput
-from rkverify.stability.dispersion import Setting
+from rkverify.stability.dispersion import Branch, Setting
 from rkverify.stability.dispersion import dispersion as roots
+
+COLUMNS = ["kh", "root", "omega_re", "omega_im", "omega2_re", "omega2_im", "growth"]
 
 
 def dispersion(options: Namespace) -> int:
@@ -20,24 +23,40 @@ def dispersion(options: Namespace) -> int:
         stretch=options.stretch,
         velocity_gradient=options.velocity_gradient,
         spacing=options.spacing,
+        frame_velocity=options.frame_velocity,
         convective=not options.no_convective,
         half_point=options.half_point,
         derivative=options.derivative,
+        stress_law=options.stress_law,
+        node_motion=options.node_motion,
+        cell_edges=options.cell_edges,
+        cell_measure=options.cell_measure,
         kernel=options.kernel,
         order=options.order,
         layer=options.layer,
     )
     if options.samples < 1:
         raise BadInput(f"--samples {options.samples}: ask for at least one")
-    kh = options.kh or [pi * j / options.samples for j in range(1, options.samples + 1)]
-    branches = roots(setting, kh, Float())
-    columns = ["kh", "root", "omega_re", "omega_im", "omega2_re", "omega2_im", "growth"]
-    with_D = any(branch.D is not None for branch in branches)
-    rows = [
-        [b.kh, b.root, b.omega.re, b.omega.im, *b.omega.squared, b.omega.growth, *([b.D] if with_D else [])]
-        for b in branches
-    ]
-    # 0.0 and -0.0 are the same frequency.
-    clean = [[value + 0.0 if isinstance(value, float) else value for value in row] for row in rows]
-    write_table([*columns, "D"] if with_D else columns, clean, options.json, options.out)
+    K = arithmetic(options.arithmetic)
+    kh = options.kh or [K.pi() * j / options.samples for j in range(1, options.samples + 1)]
+    branches = roots(setting, kh, K)
+    columns = list(COLUMNS)
+    if any(branch.D is not None for branch in branches):
+        columns.append("D")
+    if any(branch.uncertainty is not None for branch in branches):
+        columns.append("growth_uncertainty")
+    rows = [[_printed(K, _row(branch)[column]) for column in columns] for branch in branches]
+    write_table(columns, rows, options.json, options.out)
     return 0
+
+
+def _row(branch: Branch) -> dict[str, Any]:
+    omega = branch.omega
+    values = [branch.kh, branch.root, omega.re, omega.im, *omega.squared, omega.growth]
+    return {**dict(zip(COLUMNS, values, strict=True)), "D": branch.D, "growth_uncertainty": branch.uncertainty}
+
+
+def _printed(K: Arithmetic, value: Scalar) -> Any:
+    if isinstance(value, float):
+        return value + 0.0  # 0.0 and -0.0 are the same frequency
+    return value if isinstance(value, int) else K.text(value)

@@ -50,6 +50,11 @@ class Base:
         }
         return tuple(kind for kind in KINDS if wanted[kind])
 
+    def is_at_rest(self, K: Arithmetic) -> bool:
+        """Whether nothing moves in the base, and nodes move with their own coefficients."""
+        still = K.sign(K.number(self.velocity_gradient)) == 0 and K.sign(K.number(self.frame_velocity)) == 0
+        return still and self.readings.node_motion == "coefficient"
+
     def reach(self, K: Arithmetic) -> tuple[int, int]:
         """How many cells to each side a node's equation involves, and how many nodes these involve in turn."""
         R = K.witness(K.number(self.support_ratio))

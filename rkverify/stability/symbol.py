@@ -39,7 +39,7 @@ def symbol(base: Base, stencil: Stencil, kh: float) -> NDArray[np.complex128]:
     return A
 
 
-def roots(base: Base, stencil: Stencil, kh: float) -> list[Root]:
+def eigenvalue_roots(base: Base, stencil: Stencil, kh: float) -> list[Root]:
     """omega = -i lambda for every eigenvalue lambda of the symbol, the fastest growing first.
 
     Without a velocity gradient stress, edges and measures are functions of the positions: each adds an eigenvalue 0

@@ -1,0 +1,54 @@
+"""The Lagrangian bar as one matrix: gradients B (cells, nodes), F = B x, force B^T (P A)."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from rkverify.kernels import Kernel
+from rkverify.readings import Derivative, Integration
+from rkverify.solid.kernel_values import Array
+from rkverify.solid.line import line
+
+
+@dataclass(frozen=True)
+class Bar:
+    """A periodic bar of evenly spaced nodes; stretch and prestress S are those of the base state; rho_0 = 1."""
+
+    gradients: Array
+    spacing: float
+    modulus: float
+    prestress: float
+    stretch: float
+
+    def acceleration(self, displacements: Array) -> Array:
+        """u'' of every node for displacements from the stretched state (N,), real or complex."""
+        F = self.stretch + self.gradients @ displacements
+        S = self.prestress + self.modulus * (F * F - self.stretch**2) / 2
+        return -(self.gradients.T @ (S * F))
+
+
+def periodic_bar(
+    count: int,
+    spacing: float,
+    support_ratio: float,
+    integration: Integration,
+    derivative: Derivative,
+    kernel: Kernel,
+    order: int,
+    state: tuple[float, float, float],
+) -> Bar:
+    """A bar of `count` nodes; state is (modulus, prestress, stretch)."""
+    X = np.arange(count) * spacing
+    period = count * spacing
+
+    def at(points: Array) -> Array:
+        y = points[:, None] - X[None, :]
+        return y - np.round(y / period) * period
+
+    supports = np.full(count, support_ratio * spacing)
+    if integration == "scni":
+        ends = [line(at(X + side * spacing / 2), supports, kernel, order).shape() for side in (1, -1)]
+        B = (ends[0] - ends[1]) / spacing
+    else:
+        B = line(at(X), supports, kernel, order).gradient(derivative)
+    return Bar(B, spacing, *state)
