@@ -59,10 +59,12 @@ def approximation(
     nodes: Sequence[Sequence[Scalar]],
     support: Scalar | Sequence[Scalar],
     K: Arithmetic,
-    kernel_name: str = "cubic",
+    kernel_name: str | Kernel = "cubic",
     order: int = 1,
 ) -> Approximation:
     """An approximation on checked nodes (NP, d) with one support radius for all, or one for each node.
+
+    kernel_name: the name of a kernel, or a kernel.
 
     Raises BadInput for no nodes, mixed dimensions, a support that is not positive or an order other than
     0, 1, 2; CoincidentNodes; UnknownName for the kernel.
@@ -82,7 +84,7 @@ def approximation(
         if not K.surely_positive(a):
             raise BadInput(f"node {node} has support radius {K.text(a)}: it must be positive")
     _refuse_coincident(points, K)
-    return Approximation(points, supports, kernel(kernel_name), order, K)
+    return Approximation(points, supports, kernel(kernel_name) if isinstance(kernel_name, str) else kernel_name, order, K)
 
 
 def _refuse_coincident(points: tuple[Vector, ...], K: Arithmetic) -> None:

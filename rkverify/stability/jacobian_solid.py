@@ -29,7 +29,7 @@ def base_chain(base: Base, count: int) -> tuple[Chain, Motion]:
         support=R * h,
         modulus=1.0,
         masses=h * ones,
-        kernel=kernel(base.kernel),
+        kernel=kernel(base.kernel) if isinstance(base.kernel, str) else base.kernel,
         order=base.order,
         readings=base.readings,
         periodic=True,

@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 from rkverify.arithmetic.base import Arithmetic, Scalar
-from rkverify.errors import BadInput, UnknownName
-from rkverify.kernels import KERNELS
+from rkverify.errors import BadInput
+from rkverify.kernels import Kernel, kernel
 from rkverify.readings import Readings
 
 KINDS = ("x", "v", "stress", "edge", "measure")
@@ -24,16 +24,15 @@ class Base:
     velocity_gradient: Scalar = 0
     spacing: Scalar = 1
     frame_velocity: Scalar = 0
-    kernel: str = "cubic"
+    kernel: str | Kernel = "cubic"
     order: int = 1
 
     def __post_init__(self) -> None:
         """Raises BadInput for a kernel whose second derivative jumps, which has no linearisation; UnknownName."""
-        if self.kernel not in KERNELS:
-            raise UnknownName("kernel", self.kernel, list(KERNELS))
-        if KERNELS[self.kernel].continuity < 2:
+        chosen = kernel(self.kernel) if isinstance(self.kernel, str) else self.kernel
+        if chosen.continuity < 2:
             raise BadInput(
-                f"kernel {self.kernel!r} is not of class C2, and nodes or cell edges may sit on its joints: there is no "
+                f"kernel {chosen.name!r} is not of class C2, and nodes or cell edges may sit on its joints: there is no "
                 "linearisation; choose cubic, quartic, quintic, wendland-c2 or wendland-c4"
             )
 
