@@ -84,7 +84,9 @@ def approximation(
         if not K.surely_positive(a):
             raise BadInput(f"node {node} has support radius {K.text(a)}: it must be positive")
     _refuse_coincident(points, K)
-    return Approximation(points, supports, kernel(kernel_name) if isinstance(kernel_name, str) else kernel_name, order, K)
+    return Approximation(
+        points, supports, kernel(kernel_name) if isinstance(kernel_name, str) else kernel_name, order, K
+    )
 
 
 def _refuse_coincident(points: tuple[Vector, ...], K: Arithmetic) -> None:

@@ -1,0 +1,161 @@
+"""From the semi-discrete equations to the printed stencils, link by link, in exact rationals on the uniform lattice.
+
+A link that does not hold is rebuilt with terms dropped until the printed stencil comes out to the last rational: the
+functions below say which terms these are, and what they amount to.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import partial
+
+from rkverify.arithmetic.native import Exact
+from rkverify.paper import printed_lagrangian as lagrangian_print
+from rkverify.paper import printed_semi_lagrangian as semi_print
+from rkverify.paper.approximation import Approximation, lattice, middle
+from rkverify.paper.kernel_rates import direction, phi_rate
+from rkverify.paper.notation import lattice_values
+from rkverify.paper.printed_semi_lagrangian import State
+from rkverify.paper.shape import correction, shape_functions
+from rkverify.readings import Derivative, HalfPoint, Integration, Readings
+from rkverify.stability.jacobian_paper import linearise
+from rkverify.stability.lagrangian import StretchedBar, stencil
+from rkverify.stability.lattice_state import Base
+
+K = Exact()
+Coefficients = dict[int, Fraction]
+
+
+def nonzero(coefficients: Coefficients) -> Coefficients:
+    """Without the zeros, so that equal stencils compare equal."""
+    return {n: c for n, c in sorted(coefficients.items()) if c != 0}
+
+
+def _coefficients_of(linear: Callable[[Callable[[int], Fraction]], Fraction], reach: int) -> Coefficients:
+    """The coefficients of a linear form in u_{I+n}, by putting in one unit displacement after the other."""
+    return nonzero({n: linear(partial(_unit, n)) for n in range(-reach, reach + 1)})
+
+
+def _unit(n: int, j: int) -> Fraction:
+    return Fraction(int(j == n))
+
+
+def lagrangian_link(R: Fraction, s: Fraction, F: Fraction) -> tuple[Coefficients, Coefficients]:
+    """(61) as printed, and the linearisation of (56): coefficients of u_{I+n} in u_I''."""
+    b = lagrangian_print.b_hat(1, R, K)
+    c_squared = lagrangian_print.tangent(Fraction(1), F, s)
+    printed = _coefficients_of(lambda u: lagrangian_print.stencil_acceleration(b, c_squared, u), len(b))
+    return printed, nonzero(stencil(StretchedBar(R, "scni", s, F), K))
+
+
+@dataclass(frozen=True)
+class Printed:
+    """The coefficients of u~_{I+n} and of its rate in the left-hand side of (75) or (81), without the first term."""
+
+    displacement: Coefficients
+    velocity: Coefficients
+
+
+def printed_stencil(
+    integration: Integration,
+    R: Fraction,
+    s: Fraction,
+    Q: Fraction,
+    half_point: HalfPoint = "edge",
+    derivative: Derivative = "full",
+) -> Printed:
+    """(75) or (81) as printed; unit spacing, density and modulus."""
+    values = lattice_values(1, R, K, half_point, derivative)
+    state = State(Fraction(1), s, Fraction(1), Q)
+    left = semi_print.scni_stencil if integration == "scni" else semi_print.dni_stencil
+
+    def none(_: int) -> Fraction:
+        return Fraction(0)
+
+    return Printed(
+        _coefficients_of(lambda u: left(values, state, u, none, none), 3),
+        _coefficients_of(lambda w: left(values, state, none, w, none), 3),
+    )
+
+
+def defined_stencil(readings: Readings, R: Fraction, s: Fraction, Q: Fraction) -> Printed:
+    """The same of the linearised (65), every term kept; stresses, edges and measures follow the positions (Q = 0)."""
+    found = linearise(Base(R, readings, s, Q), K).stencil
+    displacement: Coefficients = {n: -c for n, c in found["v", "x"].items()}
+    for kind in {row for row, _ in found} - {"x", "v"}:
+        for n, force in found["v", kind].items():
+            for m, follows in found[kind, "v"].items():
+                displacement[n + m] = displacement.get(n + m, Fraction(0)) - force * follows
+    return Printed(nonzero(displacement), nonzero({n: -c for n, c in found["v", "v"].items()}))
+
+
+def _pair(A: Approximation, J: int, at: int, Q: Fraction, with_direction: bool) -> Fraction:
+    """Psi*_J(x_K) on the base v = Q x; without n_JK of (71) it is odd in x_K - x_J."""
+    if at == J:
+        return Fraction(0)
+    x = A.nodes[at]
+    y = A.offset(x, J)
+    star = correction(A, x, y) * phi_rate(A, x, J, (Q * y[0],))
+    return star if with_direction else star * direction(A, x, J)[0]
+
+
+def convective_part(R: Fraction, Q: Fraction, with_direction: bool, with_varied_rate: bool) -> Printed:
+    """The terms of (74) that come from N, with Psi_I varied through its kernel alone (C held).
+
+    with_direction: n of (71) kept. with_varied_rate: the term Psi_I Psi~*_J of N~ as well, which (74) leaves out.
+    """
+    A = lattice(1, R, 4, K)
+    I = middle(A)
+    around = range(I - 2, I + 3)
+    displacement: Coefficients = {}
+    velocity: Coefficients = {}
+    for at in around:
+        x = A.nodes[at]
+        Psi = shape_functions(A, x)
+        stars = {J: _pair(A, J, at, Q, with_direction) for J in A.neighbours(x)}
+        if I not in Psi:
+            continue
+        carried = sum((stars[J] * Q * A.nodes[J][0] for J in stars), Fraction(0))
+        if at != I:
+            slope = correction(A, x, A.offset(x, I)) * phi_rate(A, x, I, (Fraction(1),))
+            slope = slope if with_direction else slope * direction(A, x, I)[0]
+            displacement[at - I] = displacement.get(at - I, Fraction(0)) + slope * carried
+            displacement[0] = displacement.get(0, Fraction(0)) - slope * carried
+        for J, star in stars.items():
+            velocity[J - I] = velocity.get(J - I, Fraction(0)) + Psi[I] * star
+            if with_varied_rate and at != J:
+                per_velocity = correction(A, x, A.offset(x, J)) * phi_rate(A, x, J, (Fraction(1),))
+                weight = Psi[I] * per_velocity * Q * A.nodes[J][0]
+                velocity[at - I] = velocity.get(at - I, Fraction(0)) + weight
+                velocity[J - I] = velocity.get(J - I, Fraction(0)) - weight
+    return Printed(nonzero(displacement), nonzero(velocity))
+
+
+def printed_convective_part(R: Fraction, Q: Fraction) -> Printed:
+    """The second and third term of (75) and (81) as printed."""
+    with_term, without = (printed_stencil("scni", R, Fraction(0), q) for q in (Q, Fraction(0)))
+    shifts = with_term.displacement.keys() | without.displacement.keys()
+    zero = Fraction(0)
+    return Printed(
+        nonzero({n: with_term.displacement.get(n, zero) - without.displacement.get(n, zero) for n in shifts}),
+        with_term.velocity,
+    )
+
+
+def pairwise_geometric_part(R: Fraction, s: Fraction, derivative: Derivative = "full") -> Coefficients:
+    """sum_K B~_I(x_K) sigma a_K with B_I(x_K) varied as a function of x_K - x_I alone, its moment matrix carried along."""
+    Psi_xx = lattice_values(1, R, K, derivative=derivative).Psi_xx_h
+    total: Coefficients = {}
+    for n in (-1, 1):
+        total[n] = total.get(n, Fraction(0)) + s * Psi_xx
+        total[0] = total.get(0, Fraction(0)) - s * Psi_xx
+    return nonzero(total)
+
+
+def printed_geometric_part(R: Fraction, s: Fraction, derivative: Derivative = "full") -> Coefficients:
+    """The term with Psi,xx of (81) as printed: what is left of (81) when the term with (C + sigma) is taken away."""
+    whole = printed_stencil("dni", R, s, Fraction(0), derivative=derivative).displacement
+    slope = lattice_values(1, R, K, derivative=derivative).Psi_x_h
+    material = {-2: -(1 + s) * slope**2, 0: 2 * (1 + s) * slope**2, 2: -(1 + s) * slope**2}
+    zero = Fraction(0)
+    return nonzero({n: whole.get(n, zero) - material.get(n, zero) for n in whole.keys() | material.keys()})
