@@ -67,7 +67,7 @@ class TruncatedPowers:
         """
         first = min(t.end for t in self.terms)
         if self.at_zero() != 0:
-            if K.is_zero(z):
+            if K.sign(z) == 0:
                 raise NotDifferentiable(
                     "the kernel has a peak at its node: move the point or take a kernel of class C1"
                 )

@@ -16,6 +16,13 @@ Scalar = Any
 """A number of some arithmetic: float, complex, mpf, Fraction, enclosure, dual, series or expression."""
 
 
+def not_negative(x: Scalar, K: "Arithmetic") -> Scalar:
+    """x itself; raises NotRepresentable where it has no real square root."""
+    if x < 0:
+        raise NotRepresentable(f"{K.text(x)} has no real square root: check the sign of what is under the root")
+    return x
+
+
 class Arithmetic(ABC):
     """A field of scalars with its constants, its elementary functions and its decisions."""
 
@@ -38,7 +45,7 @@ class Arithmetic(ABC):
     def sign(self, x: Scalar) -> int:
         """-1, 0 or 1: the sign of the witness of x."""
         w = self.witness(x)
-        return int(w > 0) - int(w < 0)
+        return int(bool(w > 0)) - int(bool(w < 0))
 
     def surely_positive(self, x: Scalar) -> bool:
         """Whether x > 0 for every value that x may stand for."""
@@ -94,6 +101,14 @@ class Arithmetic(ABC):
     @abstractmethod
     def text(self, x: Scalar) -> str:
         """x as text that loses nothing of it: p/q, or as many decimals as the arithmetic carries."""
+
+    def known_below(self, x: Scalar, order: int) -> Scalar:
+        """x, where of its change with an infinitesimal t only the part below t^order exists.
+
+        A function of |y| at y = 0 is as smooth as the kernel is at its node: arithmetics that carry derivatives cut theirs
+        off, or raise NotDifferentiable where the first one is missing.
+        """
+        return x
 
     def zero(self) -> Scalar:
         """The scalar 0."""

@@ -85,6 +85,8 @@ class Guarded:
         return self._binary(other, operator.truediv, swap=True)
 
     def __pow__(self, power: int) -> "Guarded":
+        if power < 0:
+            return 1 / self**-power
         # By multiplication: python-flint's own power of an enclosure that contains 0 has no bounds.
         return self.home.guard(lambda: reduce(operator.mul, [self.value] * power)) if power else self.home.number(1)
 

@@ -3,8 +3,9 @@
 from fractions import Fraction
 
 import mpmath
+from mpmath.libmp import from_rational
 
-from rkverify.arithmetic.base import Arithmetic, Scalar
+from rkverify.arithmetic.base import Arithmetic, Scalar, not_negative
 from rkverify.arithmetic.native import rational
 from rkverify.errors import BadInput
 
@@ -35,13 +36,13 @@ class Multiprecision(Arithmetic):
         if hasattr(value, "_mpf_"):
             return self.context.mpf(value)
         exact: Fraction = rational(value)
-        return self.context.mpf(exact.numerator) / exact.denominator
+        return self.context.make_mpf(from_rational(exact.numerator, exact.denominator, self.context.prec, "n"))
 
     def witness(self, x: Scalar) -> Scalar:
         return x
 
     def sqrt(self, x: Scalar) -> Scalar:
-        return self.context.sqrt(x)
+        return self.context.sqrt(not_negative(x, self))
 
     def cos(self, x: Scalar) -> Scalar:
         return self.context.cos(x)

@@ -26,7 +26,8 @@ def arithmetic(name: str) -> Arithmetic:
     if stem not in NAMED:
         raise UnknownName("arithmetic", name, ["float", "exact", "mp:DIGITS", "ball:DIGITS"])
     module, cls, wants_digits = NAMED[stem]
-    if wants_digits != (digits.isdigit() and int(digits) > 0) or bool(colon) != wants_digits:
+    usable = digits.isascii() and digits.isdigit() and int(digits) > 0
+    if wants_digits != usable or bool(colon) != wants_digits:
         raise BadInput(
             f"arithmetic {name!r}: write " + (f"{stem}:DIGITS, for instance {stem}:50" if wants_digits else stem)
         )

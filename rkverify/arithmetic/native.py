@@ -5,7 +5,7 @@ import math
 import sys
 from fractions import Fraction
 
-from rkverify.arithmetic.base import Arithmetic, Scalar
+from rkverify.arithmetic.base import Arithmetic, Scalar, not_negative
 from rkverify.errors import BadInput, NotDifferentiable, NotRepresentable
 
 
@@ -23,6 +23,20 @@ def rational(value: Scalar) -> Fraction:
         raise BadInput(f"{value!r} is not a finite number: write a decimal or p/q") from None
 
 
+def finite(value: Scalar) -> float:
+    """The double nearest to a number.
+
+    Raises BadInput for what is not finite, or too large for a double.
+    """
+    try:
+        double = value if isinstance(value, float) else float(rational(value))
+    except OverflowError:
+        raise BadInput(f"{value!r} is too large for double precision: choose mp:DIGITS or exact") from None
+    if not math.isfinite(double):
+        raise BadInput(f"{value!r} is not a finite number: write a decimal or p/q")
+    return double
+
+
 class Float(Arithmetic):
     """IEEE double precision."""
 
@@ -30,13 +44,13 @@ class Float(Arithmetic):
     epsilon = sys.float_info.epsilon
 
     def number(self, value: Scalar) -> float:
-        return value if isinstance(value, float) else float(rational(value))
+        return finite(value)
 
     def witness(self, x: float) -> float:
         return x
 
     def sqrt(self, x: float) -> float:
-        return math.sqrt(x)
+        return math.sqrt(not_negative(x, self))
 
     def cos(self, x: float) -> float:
         return math.cos(x)
@@ -58,7 +72,9 @@ class Complex(Arithmetic):
     epsilon = sys.float_info.epsilon
 
     def number(self, value: Scalar) -> complex:
-        return complex(value) if isinstance(value, float | complex) else complex(float(rational(value)))
+        if isinstance(value, complex):
+            return complex(finite(value.real), finite(value.imag))
+        return complex(finite(value))
 
     def witness(self, x: complex) -> float:
         return x.real
@@ -69,6 +85,11 @@ class Complex(Arithmetic):
                 "a kernel's kink lies exactly at the point: move the point or take a kernel of class C1"
             )
         return complex(super().pos(x, power))
+
+    def known_below(self, x: complex, order: int) -> complex:
+        if order < 2 and x.imag != 0:
+            raise NotDifferentiable("the kernel has a peak at its node: move the point or take a smoother kernel")
+        return x
 
     def sqrt(self, x: complex) -> complex:
         return cmath.sqrt(x)

@@ -45,15 +45,25 @@ class Series(FlintArithmetic):
         return self.coefficients(x)[0]
 
     def pos(self, x: Guarded, power: int) -> Guarded:
-        if self.witness(x) == 0 and any(self.coefficients(x)):
-            if power == 0:
-                raise NotDifferentiable("a kernel's joint lies exactly where the derivative jumps: move the point")
-            # Left and right of the joint the truncated power agrees below t^power and nowhere further.
-            return self.guard(lambda: flint.fmpq_series([], prec=power))
-        return super().pos(x, power)
+        known = self.coefficients(x)
+        if any(known[:1]) or (len(known) == self.length and not any(known)):
+            return super().pos(x, power)
+        if power == 0:
+            raise NotDifferentiable("a kernel's joint lies exactly where the derivative jumps: move the point")
+        # Left and right of the joint the truncated power of O(t^k) agrees below t^(k power) and nowhere further.
+        first = next((k for k, c in enumerate(known) if c), len(known))
+        return self.guard(lambda: flint.fmpq_series([], prec=min(first * power, self.length)))
+
+    def known_below(self, x: Guarded, order: int) -> Guarded:
+        known = self.coefficients(x)
+        if order >= self.length or not any(known[1:]):
+            return x
+        kept = [flint.fmpq(c.numerator, c.denominator) for c in known[:order]]
+        return self.guard(lambda: flint.fmpq_series(kept, prec=min(order, len(known))))
 
     def text(self, x: Guarded) -> str:
         return str(x.value)
 
     def is_zero(self, x: Guarded) -> bool:
-        return not any(self.coefficients(x))
+        known = self.coefficients(x)
+        return len(known) == self.length and not any(known)

@@ -6,6 +6,7 @@ import sympy
 
 from rkverify.arithmetic.base import Arithmetic, Scalar
 from rkverify.arithmetic.native import rational
+from rkverify.errors import Undecided
 
 
 class Symbolic(Arithmetic):
@@ -38,13 +39,19 @@ class Symbolic(Arithmetic):
         return sympy.sympify(x).subs(self.sample)
 
     def sign(self, x: Scalar) -> int:
-        sign = super().sign(x)
+        try:
+            sign = super().sign(x)
+        except TypeError:
+            raise Undecided(f"the sign of {x} is not known: give each of its symbols a sample") from None
         expression = sympy.sympify(x)
         if expression.free_symbols:
             relation = {1: sympy.Gt, 0: sympy.Eq, -1: sympy.Lt}[sign](sympy.cancel(expression), 0)
             if relation not in (sympy.true, sympy.false):
                 self.conditions.add(relation.simplify())
         return sign
+
+    def is_zero(self, x: Scalar) -> bool:
+        return bool(sympy.cancel(x) == 0)
 
     def sqrt(self, x: Scalar) -> sympy.Expr:
         return sympy.sqrt(x)

@@ -12,11 +12,10 @@ from functools import partial
 from rkverify.arithmetic.native import Exact
 from rkverify.paper import printed_lagrangian as lagrangian_print
 from rkverify.paper import printed_semi_lagrangian as semi_print
-from rkverify.paper.approximation import Approximation, lattice, middle
-from rkverify.paper.kernel_rates import direction, phi_rate
+from rkverify.paper.approximation import lattice
 from rkverify.paper.notation import lattice_values
+from rkverify.paper.perturbed_equation import convective_terms
 from rkverify.paper.printed_semi_lagrangian import State
-from rkverify.paper.shape import correction, shape_functions
 from rkverify.readings import Derivative, HalfPoint, Integration, Readings
 from rkverify.stability.jacobian_paper import linearise
 from rkverify.stability.lagrangian import StretchedBar, stencil
@@ -89,46 +88,10 @@ def defined_stencil(readings: Readings, R: Fraction, s: Fraction, Q: Fraction) -
     return Printed(nonzero(displacement), nonzero({n: -c for n, c in found["v", "v"].items()}))
 
 
-def _pair(A: Approximation, J: int, at: int, Q: Fraction, with_direction: bool) -> Fraction:
-    """Psi*_J(x_K) on the base v = Q x; without n_JK of (71) it is odd in x_K - x_J."""
-    if at == J:
-        return Fraction(0)
-    x = A.nodes[at]
-    y = A.offset(x, J)
-    star = correction(A, x, y) * phi_rate(A, x, J, (Q * y[0],))
-    return star if with_direction else star * direction(A, x, J)[0]
-
-
 def convective_part(R: Fraction, Q: Fraction, with_direction: bool, with_varied_rate: bool) -> Printed:
-    """The terms of (74) that come from N, with Psi_I varied through its kernel alone (C held).
-
-    with_direction: n of (71) kept. with_varied_rate: the term Psi_I Psi~*_J of N~ as well, which (74) leaves out.
-    """
-    A = lattice(1, R, 4, K)
-    I = middle(A)
-    around = range(I - 2, I + 3)
-    displacement: Coefficients = {}
-    velocity: Coefficients = {}
-    for at in around:
-        x = A.nodes[at]
-        Psi = shape_functions(A, x)
-        stars = {J: _pair(A, J, at, Q, with_direction) for J in A.neighbours(x)}
-        if I not in Psi:
-            continue
-        carried = sum((stars[J] * Q * A.nodes[J][0] for J in stars), Fraction(0))
-        if at != I:
-            slope = correction(A, x, A.offset(x, I)) * phi_rate(A, x, I, (Fraction(1),))
-            slope = slope if with_direction else slope * direction(A, x, I)[0]
-            displacement[at - I] = displacement.get(at - I, Fraction(0)) + slope * carried
-            displacement[0] = displacement.get(0, Fraction(0)) - slope * carried
-        for J, star in stars.items():
-            velocity[J - I] = velocity.get(J - I, Fraction(0)) + Psi[I] * star
-            if with_varied_rate and at != J:
-                per_velocity = correction(A, x, A.offset(x, J)) * phi_rate(A, x, J, (Fraction(1),))
-                weight = Psi[I] * per_velocity * Q * A.nodes[J][0]
-                velocity[at - I] = velocity.get(at - I, Fraction(0)) + weight
-                velocity[J - I] = velocity.get(J - I, Fraction(0)) - weight
-    return Printed(nonzero(displacement), nonzero(velocity))
+    """The terms of (73) and (74) that come from N on the lattice with the base v = Q x."""
+    found = convective_terms(lattice(1, R, 4, K), Q, with_direction, with_varied_rate)
+    return Printed(*map(nonzero, found))
 
 
 def printed_convective_part(R: Fraction, Q: Fraction) -> Printed:

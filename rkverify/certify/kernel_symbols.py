@@ -33,7 +33,7 @@ class NamedFunction:
         if place not in self.places:
             raise BadInput(f"the kernel has no name for its value at z = {place}: add the place")
         known, slope = self.places[place]
-        return z._with(known, slope) if isinstance(z, Dual) else known
+        return z.scaled(known, slope) if isinstance(z, Dual) else known
 
     def derivative(self, order: int = 1) -> "NamedFunction":
         """The slope as a function; only `over_z` of it is ever used by a first-order linearisation."""

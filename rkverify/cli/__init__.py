@@ -55,6 +55,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except RkverifyError as error:
         print(f"rkverify: {error}", file=sys.stderr)
         return 2
+    except ArithmeticError as error:
+        print(
+            f"rkverify: the numbers leave the range of double precision ({error}): choose other units", file=sys.stderr
+        )
+        return 2
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0

@@ -35,7 +35,10 @@ def read_points(file: str) -> Points:
         text = Path(file).read_text(encoding="utf-8-sig")
     except (OSError, UnicodeDecodeError) as error:
         raise BadInput(f"cannot read {file}: {getattr(error, 'strerror', None) or 'it is not text'}") from None
-    rows = [row for row in csv.reader(StringIO(text)) if row]
+    try:
+        rows = [row for row in csv.reader(StringIO(text)) if row]
+    except csv.Error as error:
+        raise BadInput(f"{file} is no table: {error}; write one row per line") from None
     header = [name.strip() for name in rows[0]] if rows else []
     axes = [name for name in header if name != "a"]
     if not axes or tuple(axes) != AXES[: len(axes)] or len(set(header)) != len(header):
@@ -77,5 +80,7 @@ def write_table(columns: Sequence[str], rows: Sequence[Sequence[Any]], as_json: 
         text = stream.getvalue()
     if out is None:
         sys.stdout.write(text)
+    elif Path(out).exists() and not (Path(out).is_file() or Path(out).is_dir()):
+        Path(out).write_text(text, encoding="utf-8")  # a pipe or a terminal: nothing to replace
     else:
         write_atomically(Path(out), text)

@@ -57,6 +57,8 @@ def read_evidence(results: Path) -> list[Evidence]:
     for path in sorted(results.glob("*/statements.json")):
         try:
             for raw in json.loads(path.read_text(encoding="utf-8")):
+                if not (raw["holds"] is None or isinstance(raw["holds"], bool)):
+                    raise ValueError("holds is true, false or null")
                 found.append(
                     Evidence(
                         study=path.parent.name, **{**raw, "about": tuple(raw["about"]), "routes": tuple(raw["routes"])}
@@ -72,10 +74,10 @@ def verdict(evidence: Iterable[Evidence]) -> tuple[str, str]:
     statements = list(evidence)
     if not statements:
         return OPEN, ""
+    if any(s.holds is False for s in statements if not s.reading):
+        return FAILS, ""
     if any(s.holds is None for s in statements):
         return UNDECIDABLE, "; ".join(s.says for s in statements if s.holds is None)
-    if any(not s.holds for s in statements if not s.reading):
-        return FAILS, ""
     readings = sorted({s.reading for s in statements if s.reading})
     good = [r for r in readings if all(s.holds for s in statements if s.reading == r)]
     if len(good) == len(readings):
@@ -91,6 +93,8 @@ def state(entry: Entry, evidence: Iterable[Evidence]) -> State:
     if entry.kind == "definition":
         routes = sorted({route for s in about for route in s.routes})
         name, detail = verdict(about)
+        if name == HOLDS and not routes:
+            return State(OPEN, {}, "no independent route is named", about)
         if name == HOLDS:
             return State(DEFINITION, {}, f"confirmed by {len(routes)}: {'; '.join(routes)}", about)
         return State(name, {}, detail, about)

@@ -35,7 +35,9 @@ class Approximation:
         return len(self.nodes[0])
 
     def offset(self, x: Vector, node: int) -> Vector:
-        """x - x_I."""
+        """x - x_I; raises BadInput for a point of another dimension."""
+        if len(x) != self.dimension:
+            raise BadInput(f"the point has {len(x)} coordinates and the nodes have {self.dimension}: give it as many")
         return tuple(c - n for c, n in zip(x, self.nodes[node], strict=True))
 
     def distance(self, x: Vector, node: int) -> Scalar:
@@ -73,6 +75,8 @@ def approximation(
         raise BadInput("there are no nodes: give at least one")
     if order not in (0, 1, 2):
         raise BadInput(f"order {order} is not offered: choose 0, 1 or 2")
+    if not all(len(node) for node in nodes):
+        raise BadInput("a node has no coordinate: give every node at least one")
     if len({len(node) for node in nodes}) > 1:
         raise BadInput("the nodes have different numbers of coordinates: give every node the same")
     points = tuple(tuple(K.number(c) for c in node) for node in nodes)

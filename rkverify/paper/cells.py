@@ -24,14 +24,19 @@ class Cell:
 def nodal_cells(nodes: Sequence[Scalar], left: Scalar, right: Scalar, K: Arithmetic) -> list[Cell]:
     """The Voronoi cells of the nodes (NP,) in [left, right]: they end half-way to the neighbouring nodes.
 
-    Raises BadInput for a node outside the domain, or where a cell has no length.
+    Raises BadInput for no nodes, two nodes at one place, a node outside the domain, or a cell without length.
     """
+    if not nodes:
+        raise BadInput("there are no nodes: give at least one")
     for node, x in enumerate(nodes):
         if K.sign(x - left) < 0 or K.sign(right - x) < 0:
             raise BadInput(
                 f"node {node} at {K.text(x)} lies outside the domain [{K.text(left)}, {K.text(right)}]: move it or widen the domain"
             )
     ranked = sorted(range(len(nodes)), key=lambda I: K.witness(nodes[I]))
+    for I, J in pairwise(ranked):
+        if K.sign(nodes[J] - nodes[I]) <= 0:
+            raise BadInput(f"nodes {I} and {J} are both at {K.text(nodes[I])}: separate the nodes")
     edges = [left, *((nodes[I] + nodes[J]) / 2 for I, J in pairwise(ranked)), right]
     cells = dict(zip(ranked, map(Cell, edges, edges[1:]), strict=True))
     for node, cell in cells.items():

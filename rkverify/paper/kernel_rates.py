@@ -25,15 +25,27 @@ def minus(u: Vector, w: Vector) -> Vector:
 @equation(12)
 def phi(A: Approximation, x: Vector, node: int) -> Scalar:
     """phi_a(x - x_I) = phi(z) with z = |x - x_I| / a_I; the kernel (12) unless another is chosen."""
-    return A.kernel.phi(A.distance(x, node), A.K)
+    z = A.distance(x, node)
+    return _at_its_node(A, x, node, A.kernel.phi(z, A.K), 1)
+
+
+def _at_its_node(A: Approximation, x: Vector, node: int, value: Scalar, order: int) -> Scalar:
+    """A value that goes with phi's derivative of order 1 - `order`: at the node it is only as smooth as the kernel is there."""
+    if A.K.surely_positive(A.distance(x, node)):
+        return value
+    smooth = A.kernel.smoothness_at_node + order
+    for component in A.offset(x, node):
+        A.K.known_below(component, smooth)  # in the plane |y| itself carries no change at its origin
+    return A.K.known_below(value, smooth)
 
 
 def phi_rate(A: Approximation, x: Vector, node: int, w: Vector) -> Scalar:
     """The rate of phi_a(x - x_I) where x - x_I changes at the rate w: g(z) (x - x_I).w / a^2 with g = phi'/z."""
     if all(A.K.is_zero(c) for c in w):
         return A.K.zero()
-    g = A.kernel.phi.derivative().over_z(A.distance(x, node), A.K)
-    return g * dot(A.offset(x, node), w) / A.supports[node] ** 2
+    z = A.distance(x, node)
+    g = A.kernel.phi.derivative().over_z(z, A.K)
+    return _at_its_node(A, x, node, g * dot(A.offset(x, node), w) / A.supports[node] ** 2, 0)
 
 
 def phi_second_rate(A: Approximation, x: Vector, node: int, u: Vector, w: Vector) -> Scalar:
@@ -45,15 +57,15 @@ def phi_second_rate(A: Approximation, x: Vector, node: int, u: Vector, w: Vector
     K, a, y, z = A.K, A.supports[node], A.offset(x, node), A.distance(x, node)
     second = A.kernel.phi.derivative(2)(z, K)
     if A.dimension == 1:
-        if A.kernel.smoothness_at_node < 2 and K.is_zero(z):
+        if A.kernel.smoothness_at_node < 2 and not K.surely_positive(z):
             raise NotDifferentiable(
                 f"kernel {A.kernel.name!r} has no second derivative at its node {node}: take a C2 kernel"
             )
-        return second * u[0] * w[0] / a**2
+        return _at_its_node(A, x, node, second * u[0] * w[0] / a**2, -1)
     g = A.kernel.phi.derivative().over_z(z, K)
     value = g * dot(u, w) / a**2
-    if K.is_zero(z):
-        return value
+    if not K.surely_positive(z):
+        return _at_its_node(A, x, node, value, -1)
     return value + (second - g) * dot(y, u) * dot(y, w) / (z**2 * a**4)
 
 
@@ -84,7 +96,7 @@ def semi_lagrangian_kernel_rate(A: Approximation, x: Vector, node: int, v: Vecto
     """
     y = A.offset(x, node)
     length = A.K.norm(y)
-    if A.K.is_zero(length):
+    if not A.K.surely_positive(length):
         return phi_rate(A, x, node, minus(v, v_node))
     slope = A.kernel.phi.derivative()(length / A.supports[node], A.K)
     return slope * dot(direction(A, x, node), minus(v, v_node)) / A.supports[node]

@@ -78,6 +78,8 @@ def solve(A: Approximation, x: Vector, M: Matrix, right: list[Scalar]) -> list[S
     the two does not change with the unit of length, so that the test does not either.
     """
     K, size = A.K, len(right)
+    # What rounding can leave of a pivot: each entry is a sum over the nodes, each elimination adds as much again.
+    rounding = size * (len(A.neighbours(x)) + size) * K.epsilon
     L: Matrix = [[K.zero()] * size for _ in range(size)]
     D: list[Scalar] = []
     for j in range(size):
@@ -85,7 +87,7 @@ def solve(A: Approximation, x: Vector, M: Matrix, right: list[Scalar]) -> list[S
         for k in range(j):
             pivot = pivot - L[j][k] * L[j][k] * D[k]
         left = K.witness(pivot) / K.witness(M[j][j]) if K.witness(M[j][j]) != 0 else 0
-        if not (K.surely_positive(pivot) and left > size * K.epsilon):
+        if not (K.surely_positive(pivot) and left > rounding):
             raise SingularMomentMatrix(
                 f"the moment matrix at x = ({', '.join(map(K.text, x))}) is singular (pivot {j} keeps {float(left):.1e} of its "
                 f"diagonal entry) with {len(A.neighbours(x))} nodes in reach: enlarge the support, move nodes or lower the order"

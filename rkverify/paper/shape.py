@@ -75,6 +75,8 @@ def shape_rates(A: Approximation, x: Vector, w: Rates, right: list[Scalar] | Non
 
 
 def _unit(A: Approximation, axis: int) -> Vector:
+    if axis not in range(A.dimension):
+        raise BadInput(f"there is no axis {axis} in {A.dimension} dimensions: choose one from 0 to {A.dimension - 1}")
     return tuple(A.K.number(int(j == axis)) for j in range(A.dimension))
 
 

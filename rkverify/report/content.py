@@ -53,7 +53,7 @@ def relative(place: Checkout, *parts: str) -> str:
 def module_link(place: Checkout, module: str) -> dict[str, str]:
     """A link to a module's source."""
     path = place.root.joinpath(*module.split("."))
-    file = path / "__init__.py" if path.is_dir() else path.with_suffix(".py")
+    file = path.with_suffix(".py") if path.with_suffix(".py").is_file() else path / "__init__.py"
     shown = file.relative_to(place.root).as_posix()
     return {"name": shown, "href": relative(place, shown)}
 
@@ -129,8 +129,8 @@ def foot(place: Checkout, name: str) -> str:
     run = records.last_run(place, name)
     if run is None:
         return "These results are the committed ones; they have not been recomputed on this machine."
-    how = run.circumstances
-    versions = ", ".join(f"{package} {number}" for package, number in how["packages"].items())
+    how = {key: run.circumstances.get(key, "unknown") for key in ("command", "commit", "python", "processor", "cores")}
+    versions = ", ".join(f"{package} {number}" for package, number in run.circumstances.get("packages", {}).items())
     return (
         f"Computed by {how['command']} at commit {how['commit']} in {run.seconds:.1f} s, finished {run.finished}; "
         f"Python {how['python']}, {versions}; {how['processor']}, {how['cores']} cores."

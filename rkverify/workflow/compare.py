@@ -3,7 +3,9 @@
 Each comparison gives the list of places that left their tolerance, and by how much.
 """
 
+import csv
 import json
+import math
 import re
 from abc import ABC, abstractmethod
 from dataclasses import asdict, dataclass
@@ -60,9 +62,15 @@ class Exact(Comparison):
 
 
 def _cells(text: str) -> list[list[str]]:
-    import csv
+    try:
+        return list(csv.reader(StringIO(text)))
+    except csv.Error as error:
+        raise ValueError(f"no CSV: {error}") from None
 
-    return list(csv.reader(StringIO(text)))
+
+def _shape(cells: list[list[str]]) -> str:
+    widths = sorted({len(row) for row in cells})
+    return f"{len(cells)} rows of {', '.join(map(str, widths))} cells, header {','.join(cells[0] if cells else [])}"
 
 
 def _decimal(cell: str) -> Decimal | None:
@@ -77,14 +85,17 @@ class _ByCell(Comparison):
         """The cells that disagree."""
         old, new = _cells(committed), _cells(recomputed)
         if [len(row) for row in old] != [len(row) for row in new] or old[:1] != new[:1]:
-            return [Difference("shape or header", f"{len(old)} rows", f"{len(new)} rows", "must have the same cells")]
+            return [Difference("shape or header", _shape(old), _shape(new), "must have the same cells")]
         found = []
         for number, (before, after) in enumerate(zip(old, new, strict=True)):
             for column, (a, b) in enumerate(zip(before, after, strict=True)):
                 if a == b:
                     continue
                 x, y = _decimal(a), _decimal(b)
-                excess = "must be the same text" if x is None or y is None else self.excess(x, y)
+                if x is None or y is None or not (x.is_finite() and y.is_finite()):
+                    excess = "must be the same text"
+                else:
+                    excess = self.excess(x, y)
                 if excess:
                     found.append(Difference(f"row {number}, column {old[0][column]}", a, b, excess))
         return found
@@ -119,8 +130,6 @@ class Numeric(_ByCell):
 
     def excess(self, committed: Decimal, recomputed: Decimal) -> str:
         """The factor by which the tolerance is passed."""
-        if committed.is_nan() and recomputed.is_nan():
-            return ""
         allowed = Decimal(self.atol) + Decimal(self.rtol) * abs(committed)
         gap = abs(committed - recomputed)
         if gap <= allowed:
@@ -166,7 +175,14 @@ class Record(Comparison):
             return [d for n, (p, q) in enumerate(zip(a, b, strict=True)) for d in self._walk(f"{place}[{n}]", p, q)]
         if self._same(a, b):
             return []
-        return [Difference(place or "record", str(a)[:120], str(b)[:120], f"beyond rtol {self.rtol:g}")]
+        return [Difference(place or "record", str(a)[:120], str(b)[:120], self._excess(a, b))]
+
+    def _excess(self, a: Any, b: Any) -> str:
+        pairs = zip(NUMBER.findall(str(a)), NUMBER.findall(str(b)), strict=False)
+        gaps = [abs(float(x) - float(y)) / max(abs(float(x)), abs(float(y))) for x, y in pairs if not self._close(x, y)]
+        if not gaps or NUMBER.sub("#", str(a)) != NUMBER.sub("#", str(b)):
+            return "must be the same but for numbers"
+        return f"apart by {max(gaps):.3g} of the larger, allowed {self.rtol:.3g}"
 
     def _same(self, a: Any, b: Any) -> bool:
         if isinstance(a, str) and isinstance(b, str):
@@ -178,4 +194,6 @@ class Record(Comparison):
 
     def _close(self, a: str | float, b: str | float) -> bool:
         x, y = float(a), float(b)
-        return x == y or abs(x - y) <= self.rtol * max(abs(x), abs(y))
+        if not (math.isfinite(x) and math.isfinite(y)):
+            return str(x) == str(y)
+        return abs(x - y) <= self.rtol * max(abs(x), abs(y))

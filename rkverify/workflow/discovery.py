@@ -33,7 +33,10 @@ def load(place: Checkout, name: str) -> Study:
     """
     if str(place.root) not in sys.path:
         sys.path.insert(0, str(place.root))
-    study = getattr(importlib.import_module(f"studies.{name}"), "STUDY", None)
+    try:
+        study = getattr(importlib.import_module(f"studies.{name}"), "STUDY", None)
+    except Exception as error:
+        raise BadInput(f"studies/{name}.py cannot be imported: {type(error).__name__}: {error}") from error
     if not isinstance(study, Study):
         raise BadInput(f"studies/{name}.py defines no STUDY: end it with STUDY = Study(...)")
     return study

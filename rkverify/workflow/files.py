@@ -1,5 +1,6 @@
 """Writing files so that a reader sees the old one or the new one and never a part."""
 
+import fcntl
 import os
 import tempfile
 from pathlib import Path
@@ -17,6 +18,7 @@ def write_atomically(path: Path, text: str) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
         handle, name = tempfile.mkstemp(prefix=".part-", dir=path.parent)
         try:
+            fcntl.flock(handle, fcntl.LOCK_EX)  # held while the file is open: the sign that its writer lives
             with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as stream:
                 stream.write(text)
                 stream.flush()
@@ -31,14 +33,19 @@ def write_atomically(path: Path, text: str) -> None:
 
 
 def sweep(folder: Path) -> None:
-    """Remove what killed processes left half-written."""
+    """Remove what killed processes left half-written, and nothing of those that still write."""
     for part in folder.rglob(".part-*"):
-        part.unlink(missing_ok=True)
+        try:
+            with part.open("rb") as stream:
+                fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                part.unlink(missing_ok=True)
+        except OSError:
+            continue
 
 
 def read(path: Path) -> str | None:
     """The text of a file, or None where there is no readable one."""
     try:
-        return path.read_text(encoding="utf-8")
+        return path.read_bytes().decode("utf-8")  # with its line ends, which count
     except (OSError, UnicodeDecodeError):
         return None

@@ -8,10 +8,14 @@ from pathlib import Path
 from typing import Any
 
 import grimp
+import grimp.exceptions
 
+from rkverify.errors import BadInput
 from rkverify.paths import Checkout
 
 PACKAGES = ("rkverify", "studies")
+WRITER = "rkverify.workflow.produce"
+"""Writes every artefact: its sources belong to the identity of all studies."""
 
 
 def digest(data: bytes) -> str:
@@ -41,7 +45,10 @@ class Sources:
         if str(place.root) not in sys.path:
             sys.path.insert(0, str(place.root))
         self.place = place
-        self.graph = grimp.build_graph(*PACKAGES, cache_dir=None, exclude_type_checking_imports=True)
+        try:
+            self.graph = grimp.build_graph(*PACKAGES, cache_dir=None, exclude_type_checking_imports=True)
+        except grimp.exceptions.SourceSyntaxError as error:
+            raise BadInput(f"a module cannot be read: {error}") from None
         self._hashes: dict[str, str] = {}
 
     def closure(self, module: str) -> set[str]:
@@ -61,7 +68,7 @@ class Sources:
     def file(self, module: str) -> Path:
         """The file of a module."""
         path = self.place.root.joinpath(*module.split("."))
-        return path / "__init__.py" if path.is_dir() else path.with_suffix(".py")
+        return path.with_suffix(".py") if path.with_suffix(".py").is_file() else path / "__init__.py"
 
     def hash(self, module: str) -> str:
         """The hash of a module's source."""
@@ -71,7 +78,11 @@ class Sources:
 
     def identity(self, name: str, parameters: Any) -> Identity:
         """The identity of a study with these parameters."""
-        modules = {module: self.hash(module) for module in sorted(self.closure(f"studies.{name}"))}
-        values = json.loads(json.dumps(asdict(parameters)))
+        closure = self.closure(f"studies.{name}") | self.closure(WRITER)
+        modules = {module: self.hash(module) for module in sorted(closure)}
+        try:
+            values = json.loads(json.dumps(asdict(parameters)))
+        except TypeError as error:
+            raise BadInput(f"studies/{name}.py: its parameters are no dataclass of plain values: {error}") from None
         lock = digest(self.place.lock.read_bytes())
         return Identity(digest(canonical([modules, values, lock]).encode()), modules, values, lock)

@@ -19,7 +19,9 @@ def description(place: Checkout, name: str) -> dict[str, Any]:
     """
     try:
         data: dict[str, Any] = json.loads(read(place.results / name / DESCRIPTION) or "")
-    except ValueError:
+        if not (isinstance(data["comparison"], dict) and isinstance(data["provenance"]["total"], str)):
+            raise TypeError
+    except (ValueError, TypeError, KeyError):
         where = place.shown(place.results / name / DESCRIPTION)
         raise BadInput(f"{where} is missing or unreadable: run `make reproduce`") from None
     return data
@@ -46,10 +48,10 @@ def write(place: Checkout, names: list[str]) -> None:
 def committed(place: Checkout) -> dict[str, Any]:
     """study -> identity and files, as the manifest lists them; empty where there is no readable one."""
     try:
-        studies: dict[str, Any] = json.loads(read(place.manifest) or "")["studies"]
-    except (ValueError, KeyError, TypeError):
+        studies = json.loads(read(place.manifest) or "")["studies"]
+        return {name: data for name, data in studies.items() if isinstance(data["files"], dict)}
+    except (ValueError, KeyError, TypeError, AttributeError):
         return {}
-    return studies
 
 
 def is_as_listed(place: Checkout, name: str, file: str) -> bool:

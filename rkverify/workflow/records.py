@@ -73,15 +73,18 @@ def save(place: Checkout, name: str, record: RunRecord) -> None:
 def last_run(place: Checkout, name: str) -> RunRecord | None:
     """The record of a study's last run; None where there is none, or none that can be read."""
     try:
-        return RunRecord(**json.loads(read(record_path(place, name)) or ""))
+        record = RunRecord(**json.loads(read(record_path(place, name)) or ""))
     except (ValueError, TypeError):
         return None
+    kinds = ((record.identity, str), (record.files, dict), (record.finished, str), (record.circumstances, dict))
+    usable = all(isinstance(value, kind) for value, kind in kinds) and isinstance(record.seconds, int | float)
+    return record if usable else None
 
 
 def is_current(place: Checkout, name: str, identity: str) -> bool:
     """Whether the study was run here with this identity and its files are as that run left them."""
     record = last_run(place, name)
-    if record is None or record.identity != identity or not isinstance(record.files, dict):
+    if record is None or record.identity != identity or not record.files:
         return False
     folder = place.results / name
     return all(

@@ -15,17 +15,17 @@ from rkverify.workflow.schedule import Outcome, Task, schedule
 
 def jobs(place: Checkout, names: list[str], quick: bool = False) -> list[Job]:
     """The jobs for the named studies, all for none; raises UnknownName."""
+    studies = {name: load(place, name) for name in choose(place, names)}
     sources = Sources(place)
     found = []
-    for name in choose(place, names):
-        study = load(place, name)
+    for name, study in studies.items():
         found.append(Job(place, name, quick, sources.identity(name, study.quick if quick else study.parameters)))
     return found
 
 
 def _make_ready(place: Checkout) -> None:
     """Find out before computing whether results can be written; remove what a killed run left half-written."""
-    for folder in (place.results, place.state):
+    for folder in (place.results, place.state, place.runs):
         write_atomically(folder / ".part-test", "")
         if not os.access(folder, os.W_OK):
             raise BadInput(f"cannot write {place.shown(folder)}: make the folder writable")
@@ -38,8 +38,9 @@ def run(place: Checkout, names: list[str], quick: bool = False, processes: int =
     Raises UnknownName for a study, BadInput for a folder that cannot be written.
     """
     place = place.quick() if quick else place
+    asked = jobs(place, names, quick)
     _make_ready(place)
-    tasks = [Task(job.name, job.run, (lambda: False) if force else job.is_current) for job in jobs(place, names, quick)]
+    tasks = [Task(job.name, job.run, (lambda: False) if force else job.is_current) for job in asked]
     outcome = schedule(tasks, processes)
     everything = study_names(place)
     if not outcome.failed and all((place.results / name / DESCRIPTION).is_file() for name in everything):

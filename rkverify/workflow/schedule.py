@@ -8,9 +8,10 @@ import os
 import sys
 import tempfile
 import threading
+import traceback
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from multiprocessing import connection, parent_process
+from multiprocessing import Pipe, Process, connection, parent_process
 from pathlib import Path
 from typing import Any
 
@@ -77,13 +78,33 @@ class _Loader(TaskLoader2):  # type: ignore[misc]
 
 
 def _act(action: Callable[[], None]) -> TaskFailed | None:
-    """Do a task's work in a worker; our own errors become one line each."""
+    """Do a task's work in a process of its own, so that a task that ends its process ends nothing else.
+
+    Our own errors become one line each, others keep their traceback.
+    """
+    _leave_with_parent()
+    receiver, sender = Pipe(duplex=False)
+    child = Process(target=_in_child, args=(action, sender))
+    child.start()
+    sender.close()
+    try:
+        message: str = receiver.recv()
+    except EOFError:
+        message = "its process ended before it was done"
+    child.join()
+    return TaskFailed(message) if message else None
+
+
+def _in_child(action: Callable[[], None], sender: connection.Connection) -> None:
     _leave_with_parent()
     try:
         action()
     except RkverifyError as error:
-        return TaskFailed(str(error))
-    return None
+        sender.send(str(error))
+    except Exception:
+        sender.send(traceback.format_exc())
+    else:
+        sender.send("")
 
 
 def _leave_with_parent() -> None:

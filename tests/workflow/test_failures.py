@@ -1,0 +1,130 @@
+"""Studies that cannot run, and places that cannot be written: named in a line, with the right status, no damage done.
+
+Status 1: something is wrong with results; 2: with what was asked for. Whoever runs ten studies wants the other nine.
+"""
+
+import pytest
+
+RAISING = {
+    "compute": ("def compute(p):", "def compute(p):\n    raise RuntimeError('made up')"),
+    "judge": ("def judge(p, tables):", "def judge(p, tables):\n    raise RuntimeError('made up')"),
+    "two statements of a name": ("    return [Statement(", "    return 2 * [Statement("),
+    "our own error": ("def compute(p):", "def compute(p):\n    from rkverify.errors import Undecided\n    raise Undecided('made up')"),
+    "exit": ("def compute(p):", "def compute(p):\n    raise SystemExit(3)"),
+    "worker dies": ("def compute(p):", "def compute(p):\n    os._exit(9)"),
+}  # fmt: skip
+
+
+def with_raising(small, tools, case):
+    text = tools.made_up()
+    old, new = RAISING[case]
+    assert text.count(old) == 1
+    small.study("middle", text.replace(old, new))
+
+
+@pytest.mark.parametrize(
+    ("case", "jobs"),
+    [("compute", "1"), ("compute", "2"), ("judge", "1"), ("two statements of a name", "2"), ("our own error", "2")],
+)
+def test_a_study_that_raises_is_named_and_the_others_run(case, jobs, fresh, tools):
+    with_raising(fresh, tools, case)
+    done = fresh.command("run", "--jobs", jobs)
+    assert (done.returncode, tools.summary(done)) == (1, (3, 0, 1))
+    assert all(line.startswith("rkverify: middle: ") for line in done.stderr.splitlines())
+    assert {p.parent.name for p in tools.files_in(fresh.results)} == {"gradients", "phases", "tents"}
+    assert not fresh.manifest.exists()
+    assert not list(fresh.root.rglob(".part-*"))
+    assert tools.summary(fresh.command("run", "--jobs", jobs)) == (0, 3, 1)
+
+
+@pytest.mark.parametrize("case", ["exit", "worker dies"])
+def test_a_study_that_ends_its_process_does_not_hang_the_run(case, fresh, tools):
+    """As a crash in a compiled library would, or the system short of memory: status 1 in the end, and no wait for ever."""
+    with_raising(fresh, tools, case)
+    done = fresh.command("run", "--jobs", "2", seconds=15)
+    assert done.returncode == 1
+    assert "Traceback" not in done.stderr
+    assert "middle" in done.stderr
+    assert not fresh.manifest.exists()
+
+
+NO_STUDIES = (
+    "raise RuntimeError('made up')\n",
+    "import no_such_module\n",
+    "from rkverify.kernels import no_such_name\n",
+    "def compute(p:\n",
+    "STUDY = 3\n",
+    '"""Nothing."""\n',
+)
+
+
+@pytest.mark.parametrize(
+    ("command", "text"), [*(("run", text) for text in NO_STUDIES), ("verify", NO_STUDIES[0]), ("list", NO_STUDIES[0])]
+)
+def test_a_file_that_is_no_study_is_named_in_a_line(command, text, fresh):
+    fresh.study("broken", text)
+    done = fresh.command(command)
+    (line,) = done.stderr.splitlines()
+    assert line.startswith("rkverify: ")
+    assert "broken" in line
+    assert done.returncode in (1, 2)
+
+
+def test_parameters_that_are_no_data_are_named_in_a_line(fresh, tools):
+    text = tools.made_up().replace("rows: int = 4", "rows: int = 4\n    odd: object = 1j")
+    fresh.study("broken", text)
+    (line,) = fresh.command("run").stderr.splitlines()
+    assert "broken" in line
+
+
+@pytest.mark.parametrize("command", ["run", "verify"])
+def test_an_unknown_study_is_one_line(command, fresh):
+    done = fresh.command(command, "tents", "figure99")
+    (line,) = done.stderr.splitlines()
+    assert line == "rkverify: unknown study 'figure99': choose one of gradients, phases, tents"
+    assert (done.returncode, done.stdout) == (2, "")
+    assert not fresh.results.exists()
+
+
+@pytest.mark.parametrize("count", ["0", "-1", "two"])
+def test_a_senseless_count_of_processes_is_one_line(count, fresh):
+    done = fresh.command("run", "--jobs", count)
+    assert (done.returncode, done.stdout, len(done.stderr.splitlines())) == (2, "", 1)
+    assert count in done.stderr
+
+
+@pytest.mark.parametrize("place", ["reports", "reports/results", ".rkverify", ".rkverify/runs"])
+@pytest.mark.parametrize("obstacle", ["plain file", "no permission"])
+def test_a_place_that_cannot_be_written_is_one_line(place, obstacle, fresh):
+    """Found out before anything is computed, and named."""
+    path = fresh.root / place
+    if obstacle == "plain file":
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text("", encoding="utf-8")
+    else:
+        path.mkdir(parents=True)
+        path.chmod(0o555)
+    before = sorted(fresh.root.rglob("*"))
+    done = fresh.command("run", anybody=True)
+    (line,) = done.stderr.splitlines()
+    assert line.startswith("rkverify: cannot write ")
+    assert place in line
+    assert (done.returncode, done.stdout) == (2, "")
+    made = [p for p in sorted(fresh.root.rglob("*")) if p not in before and p.is_file()]
+    assert made == []
+
+
+def test_read_only_results_are_left_whole(small):
+    """A study's own folder without permission: the study is named, its files are as they were."""
+    before = small.contents()
+    (small.results / "tents" / "values.csv").write_text("x\n", encoding="utf-8")
+    spoilt = small.contents()
+    (small.results / "tents").chmod(0o555)
+    done = small.command("run", anybody=True)
+    (small.results / "tents").chmod(0o755)
+    (line,) = done.stderr.splitlines()
+    assert line.startswith("rkverify: tents: cannot write ")
+    assert done.returncode == 1
+    assert small.contents() == spoilt
+    assert small.command("run").returncode == 0
+    assert small.contents() == before

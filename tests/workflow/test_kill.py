@@ -1,0 +1,150 @@
+"""A run that is killed or interrupted at any moment leaves whole files, no processes, and a next run that finishes.
+
+Power fails, schedulers kill, people press Ctrl-C: if a part of a result could stay behind and pass for a result,
+every file under reports/ would be in doubt.
+"""
+
+import os
+import signal
+import subprocess
+import time
+
+import pytest
+
+SLOW = '''"""Slow enough to be killed, with many files, each large enough to be caught half-written."""
+
+import time
+from dataclasses import dataclass
+
+from rkverify.workflow.compare import Exact
+from rkverify.workflow.study import Study, table
+
+
+@dataclass(frozen=True)
+class Parameters:
+    """Seconds to sleep and tables to write."""
+
+    seconds: float = {seconds}
+    tables: int = 25
+
+
+def compute(p):
+    """Large tables of one column."""
+    time.sleep(p.seconds)
+    return {{
+        f"table_{{n:02}}": table([{{"x": n + j}} for j in range(5000)], [("x", "1", "a number")], "Numbers.", Exact())
+        for n in range(p.tables)
+    }}
+
+
+STUDY = Study("Slow", Parameters(), Parameters(), compute, lambda p, tables: [])
+'''
+STUDIES = {"first": SLOW.format(seconds=0.05), "second": SLOW.format(seconds=0.4), "third": SLOW.format(seconds=0.3)}
+
+MOMENTS = {
+    "workers compute": lambda small: len(workers(small)) >= 1 and small.results.exists(),
+    "files appear": lambda small: small.results.exists() and len(list(small.results.rglob("table_*"))) >= 10,
+    "a study is done": lambda small: small.runs.exists() and any(small.runs.glob("*.json")),
+}
+
+
+@pytest.fixture(scope="module")
+def slow(tmp_path_factory, tools):
+    """A checkout with slow studies, nothing run; not to be changed."""
+    return tools.new_checkout(tmp_path_factory.mktemp("slow") / "small checkout", STUDIES)
+
+
+@pytest.fixture(scope="module")
+def undisturbed(tmp_path_factory, tools, slow):
+    """What a run that nobody disturbs writes under reports/."""
+    other = tools.copy(slow, tmp_path_factory.mktemp("undisturbed") / "small checkout")
+    assert tools.summary(other.command("run", "--jobs", "2")) == (3, 0, 0)
+    return other.contents()
+
+
+def group(leader):
+    """The living processes of a process group, its leader not counted."""
+    listing = subprocess.run(["ps", "-A", "-o", "pid=,pgid=,stat="], capture_output=True, text=True, check=True).stdout
+    rows = [line.split() for line in listing.splitlines()]
+    return [int(pid) for pid, pgid, state in rows if int(pgid) == leader and int(pid) != leader and state[0] != "Z"]
+
+
+def workers(small):
+    return group(small.run.pid)
+
+
+class Running:
+    """A checkout in which a run is going on, in a process group of its own."""
+
+    def __init__(self, small):
+        self.results, self.runs = small.results, small.runs
+        self.run = small.start(
+            "run", "--jobs", "2", start_new_session=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        )
+
+    def wait_for(self, moment):
+        end = time.monotonic() + 60
+        while not MOMENTS[moment](self):
+            assert self.run.poll() is None, self.run.communicate()
+            assert time.monotonic() < end
+            time.sleep(0.002)
+
+    def nobody_left(self):
+        """Within two seconds; the processes that are still there afterwards."""
+        end = time.monotonic() + 2
+        while (left := group(self.run.pid)) and time.monotonic() < end:
+            time.sleep(0.05)
+        return left
+
+
+def end(running, how):
+    {
+        "kill all": lambda pid: os.killpg(pid, signal.SIGKILL),
+        "kill main": lambda pid: os.kill(pid, signal.SIGKILL),
+        "terminate main": lambda pid: os.kill(pid, signal.SIGTERM),
+        "interrupt all": lambda pid: os.killpg(pid, signal.SIGINT),
+    }[how](running.run.pid)
+
+
+@pytest.mark.parametrize(
+    ("how", "moment"),
+    [
+        *(("kill all", moment) for moment in MOMENTS),
+        *(("kill main", moment) for moment in MOMENTS),
+        ("terminate main", "files appear"),
+        ("interrupt all", "files appear"),
+        ("interrupt all", "workers compute"),
+    ],
+)
+def test_after_the_end_all_is_whole_and_the_next_run_finishes(how, moment, slow, undisturbed, tmp_path, tools):
+    small = tools.copy(slow, tmp_path / "small checkout")
+    running = Running(small)
+    running.wait_for(moment)
+    end(running, how)
+    try:
+        _, complaints = running.run.communicate(timeout=20)
+        assert running.nobody_left() == []
+    finally:
+        for pid in group(running.run.pid):
+            os.kill(pid, signal.SIGKILL)
+    found = {name: content for name, content in small.contents().items() if "/.part-" not in name}
+    assert [name for name, content in found.items() if undisturbed.get(name) != content] == []
+    if how == "interrupt all":
+        assert running.run.returncode == 130
+        assert complaints == "rkverify: interrupted; the next run goes on where this one stopped\n"
+    done = small.command("run", "--jobs", "2")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert small.contents() == undisturbed
+    assert not list(small.root.rglob(".part-*"))
+
+
+def test_a_killed_run_is_gone_on_with(slow, tmp_path, tools):
+    """What was finished before the end is not computed again."""
+    small = tools.copy(slow, tmp_path / "small checkout")
+    running = Running(small)
+    running.wait_for("a study is done")
+    end(running, "kill all")
+    running.run.communicate(timeout=20)
+    finished = len(list(small.runs.glob("*.json")))
+    done = small.command("run", "--jobs", "2")
+    assert tools.summary(done) == (3 - finished, finished, 0)
