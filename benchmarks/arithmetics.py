@@ -40,7 +40,12 @@ def main() -> int:
             for K in fields:
                 samples.setdefault((K.name, order), []).append(seconds(K, order))
     rows = [
-        {"arithmetic": name, "order": order, "seconds": median(t), "ratio_to_float": median(t) / median(samples["float", order])}
+        {
+            "arithmetic": name,
+            "order": order,
+            "seconds": median(t),
+            "ratio_to_float": median(t) / median(samples["float", order]),
+        }
         for (name, order), t in samples.items()
     ]
     OUT.parent.mkdir(parents=True, exist_ok=True)

@@ -10,7 +10,7 @@ from rkverify.workflow.compare import Exact, Numeric
 from rkverify.workflow.study import Drawing, Statement, Study, Tables, table
 from rkverify.workflow.style import LINES, new_figure
 
-DEFINITIONS = ("E1", "E2", "E5", "E6", "E8", "E10", "E11", "E27", "E28", "E31", "E32", "E33", "E38")
+DEFINITIONS = ("E1", "E2", "E5", "E6", "E8", "E10", "E11", "E27", "E28", "E32", "E33", "E38")
 SETTING = [("nodes", "", "node set"), ("order", "1", "order n of the basis")]
 
 

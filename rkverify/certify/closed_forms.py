@@ -77,7 +77,7 @@ def geometric_factor(stencil: Stencil, K: RationalFunctions) -> sympy.Expr:
     """
     s = K.generator("s")
     position, stress, follows = stencil["v", "x"], stencil["v", "stress"], stencil["stress", "v"]
-    G = position[1] / s
+    G = position.get(1, K.zero()) / s
     fits = (
         all(position.get(n, K.zero()) == G * s * K.ratio(*weight) for n, weight in _PATTERN.items())
         and set(position) <= set(_PATTERN)

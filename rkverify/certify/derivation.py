@@ -9,17 +9,19 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
 
+from rkverify.arithmetic.multiprecision import Multiprecision
 from rkverify.arithmetic.native import Exact
 from rkverify.paper import printed_lagrangian as lagrangian_print
 from rkverify.paper import printed_semi_lagrangian as semi_print
 from rkverify.paper.approximation import lattice
 from rkverify.paper.notation import lattice_values
-from rkverify.paper.perturbed_equation import convective_terms
+from rkverify.paper.perturbed_equation import convective_terms, lagrangian_acceleration
 from rkverify.paper.printed_semi_lagrangian import State
 from rkverify.readings import Derivative, HalfPoint, Integration, Readings
 from rkverify.stability.jacobian_paper import linearise
 from rkverify.stability.lagrangian import StretchedBar, stencil
 from rkverify.stability.lattice_state import Base
+from rkverify.stability.symbol import transform
 
 K = Exact()
 Coefficients = dict[int, Fraction]
@@ -39,12 +41,14 @@ def _unit(n: int, j: int) -> Fraction:
     return Fraction(int(j == n))
 
 
-def lagrangian_link(R: Fraction, s: Fraction, F: Fraction) -> tuple[Coefficients, Coefficients]:
-    """(61) as printed, and the linearisation of (56): coefficients of u_{I+n} in u_I''."""
+def lagrangian_link(R: Fraction, s: Fraction, F: Fraction) -> tuple[Coefficients, Coefficients, Coefficients]:
+    """(61) as printed, the linearisation of (56), and (57) with (58)-(60): coefficients of u_{I+n} in u_I''."""
     b = lagrangian_print.b_hat(1, R, K)
     c_squared = lagrangian_print.tangent(Fraction(1), F, s)
     printed = _coefficients_of(lambda u: lagrangian_print.stencil_acceleration(b, c_squared, u), len(b))
-    return printed, nonzero(stencil(StretchedBar(R, "scni", s, F), K))
+    m = len(b) // 2
+    perturbed = lagrangian_acceleration({n - m: value for n, value in enumerate(b)}, c_squared, Fraction(1))
+    return printed, nonzero(stencil(StretchedBar(R, "scni", s, F), K)), nonzero(perturbed)
 
 
 @dataclass(frozen=True)
@@ -122,3 +126,17 @@ def printed_geometric_part(R: Fraction, s: Fraction, derivative: Derivative = "f
     material = {-2: -(1 + s) * slope**2, 0: 2 * (1 + s) * slope**2, 2: -(1 + s) * slope**2}
     zero = Fraction(0)
     return nonzero({n: whole.get(n, zero) - material.get(n, zero) for n in whole.keys() | material.keys()})
+
+
+def relation_error(
+    readings: Readings, R: Fraction, s: Fraction, half_point: HalfPoint, wave: str = "7/5", digits: int = 40
+) -> float:
+    """|omega^2 of (86) or (87) - omega^2 of the linearised (65) without N| over the latter, at one kh and many digits."""
+    high = Multiprecision(digits)
+    values = lattice_values(1, R, high, half_point, readings.derivative)
+    state = State(high.number(1), high.number(s), high.number(1), high.zero())
+    formula = semi_print.scni_omega_squared if readings.integration == "scni" else semi_print.dni_omega_squared
+    printed = formula(values, state, high.number(wave), high)
+    coefficients = {n: high.number(c) for n, c in defined_stencil(readings, R, s, Fraction(0)).displacement.items()}
+    defined = transform(coefficients, high.number(wave), high).re
+    return float(high.absolute(printed - defined) / high.absolute(defined))

@@ -53,6 +53,7 @@ class NamedKernel:
     name: str
     phi: NamedFunction
     continuity: int = 2
+    smoothness_at_node: int = 2
 
 
 def named_kernel(field: RationalFunctions, places: dict[Fraction, str]) -> NamedKernel:

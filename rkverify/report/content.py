@@ -50,12 +50,15 @@ def relative(place: Checkout, *parts: str) -> str:
     return os.path.relpath(place.root.joinpath(*parts), place.pages).replace(os.sep, "/")
 
 
-def module_link(place: Checkout, module: str) -> dict[str, str]:
-    """A link to a module's source."""
-    path = place.root.joinpath(*module.split("."))
-    file = path.with_suffix(".py") if path.with_suffix(".py").is_file() else path / "__init__.py"
-    shown = file.relative_to(place.root).as_posix()
-    return {"name": shown, "href": relative(place, shown)}
+def module_link(place: Checkout, path: str) -> dict[str, str]:
+    """A link to the source of a module, or of the module that a function or method stands in."""
+    while True:
+        place_of_it = place.root.joinpath(*path.split("."))
+        for file in (place_of_it.with_suffix(".py"), place_of_it / "__init__.py"):
+            if file.is_file():
+                shown = file.relative_to(place.root).as_posix()
+                return {"name": shown, "href": relative(place, shown)}
+        path = path.rpartition(".")[0]
 
 
 def _comparison(record: dict[str, Any]) -> str:
@@ -196,10 +199,7 @@ def ledger_parts(place: Checkout, site: Site) -> list[dict[str, Any]]:
             if name.startswith(letter):
                 s = site.states[name]
                 where = transcriptions().get(int(name[1:]), []) if letter == "E" else []
-                code = [
-                    {"name": path.rpartition(".")[2], "href": module_link(place, path.rpartition(".")[0])["href"]}
-                    for path in where
-                ]
+                code = [{"name": path.rpartition(".")[2], "href": module_link(place, path)["href"]} for path in where]
                 rows.append(
                     {
                         "id": name, "state": s.name, "css": CSS[s.name], "statement": e.statement, "place": e.place,

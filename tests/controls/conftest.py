@@ -6,6 +6,7 @@ import os
 import shutil
 import subprocess
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 
 import pytest
@@ -14,14 +15,10 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 class Copy:
-    """A copy of the checkout, without results."""
+    """A copy of the checkout."""
 
     def __init__(self, root: Path) -> None:
         self.root = root
-        for folder in ("rkverify", "studies"):
-            shutil.copytree(ROOT / folder, root / folder)
-        for file in ("pyproject.toml", "requirements.lock"):
-            shutil.copy2(ROOT / file, root / file)
 
     def patch(self, file: str, old: str, new: str) -> None:
         """Put `new` for `old`, which must occur exactly once."""
@@ -44,33 +41,42 @@ class Copy:
         assert (done.returncode, done.stderr) == (0, ""), (words, done.stdout, done.stderr)
         return done.stdout
 
-    def states(self, study: str) -> dict[str, str]:
-        """Run a study in its quick form: entry -> state and detail, for what it says something about."""
-        self.call("run", "--quick", "--jobs", "1", study)
+    def states(self, studies: Iterable[str]) -> dict[str, str]:
+        """Run these studies in their quick form: entry -> state with its detail, for what has evidence."""
+        self.call("run", "--quick", "--force", *studies)
         entries = json.loads(self.call("ledger", "--quick", "--json"))["entries"]
         return {e["id"]: f"{e['state']} | {e['detail']}" for e in entries if e["evidence"]}
 
 
-@pytest.fixture
-def copy(tmp_path) -> Copy:
-    """A copy of the test's own."""
-    return Copy(tmp_path / "checkout")
+def as_it_is(root: Path, studies: Iterable[str]) -> None:
+    """Write a copy of the checkout in which these studies are run, and their states beside it."""
+    for folder in ("rkverify", "studies"):
+        shutil.copytree(ROOT / folder, root / folder)
+    for file in ("pyproject.toml", "requirements.lock"):
+        shutil.copy2(ROOT / file, root / file)
+    states = Copy(root).states(studies)
+    root.with_suffix(".json").write_text(json.dumps(states), encoding="utf-8")
 
 
 @pytest.fixture(scope="session")
 def unpatched(tmp_path_factory):
-    """unpatched(study) -> the states that the study gives as it is, computed once for all workers."""
+    """unpatched(studies) -> a copy as it is with these studies run, and its states; made once for all workers."""
     base = tmp_path_factory.getbasetemp()
     base = base.parent if os.environ.get("PYTEST_XDIST_WORKER") else base
+    root = base / "unpatched"
 
-    def states(study: str) -> dict[str, str]:
-        folder = base / f"unpatched {study}"
-        with (base / f"{study}.lock").open("w") as lock:
+    def made(studies: Iterable[str]) -> tuple[Path, dict[str, str]]:
+        with (base / "unpatched.lock").open("w") as lock:
             fcntl.flock(lock, fcntl.LOCK_EX)
-            if not (folder / "states.json").is_file():
-                found = Copy(folder).states(study)
-                (folder / "states.json").write_text(json.dumps(found), encoding="utf-8")
-        found = json.loads((folder / "states.json").read_text(encoding="utf-8"))
-        return found
+            if not root.with_suffix(".json").is_file():
+                shutil.rmtree(root, ignore_errors=True)
+                as_it_is(root, studies)
+        return root, json.loads(root.with_suffix(".json").read_text(encoding="utf-8"))
 
-    return states
+    return made
+
+
+@pytest.fixture
+def copy(tmp_path):
+    """copy(root) -> a copy of the test's own, with what was run in it."""
+    return lambda root: Copy(Path(shutil.copytree(root, tmp_path / "checkout")))

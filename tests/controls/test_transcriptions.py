@@ -19,8 +19,8 @@ ROOT = Path(__file__).resolve().parents[2]
 STUDIES = {
     "shape_functions": {"smaller": {"nodes": 5, "digits": 10}, "orders": [1], "spoil": True},
     "material_rates": {"smaller": {"nodes": 5}, "orders": [1], "spoil": True},
-    "gradients": {"smaller": {}, "orders": [], "spoil": True},
-    "figure4": {"smaller": {}, "orders": [], "spoil": True},
+    "gradients": {"smaller": {"nodes": 5, "support_twentieths": [30, 35]}, "orders": [], "spoil": True},
+    "figure4": {"smaller": {"support_ratios": ["1.5", "3.5"], "samples": 4}, "orders": [], "spoil": True},
     "printed_consequences": {"smaller": {}, "orders": [], "spoil": False},
     "derivation": {"smaller": {"support_ratios": ["3/2", "7/4"]}, "orders": [], "spoil": False},
 }

@@ -6,11 +6,11 @@ Results that are committed, and records by which a run decides what is up to dat
 import errno
 import os
 import threading
+from pathlib import Path
 
 import pytest
 
 from rkverify.errors import BadInput
-from rkverify.workflow import files
 from rkverify.workflow.files import read, sweep, write_atomically
 
 
@@ -108,15 +108,16 @@ def test_sweep_takes_parts_and_nothing_else(tmp_path):
     assert sorted(p.relative_to(tmp_path).as_posix() for p in tmp_path.rglob("*")) == ["a", "a/part-kept", "kept"]
 
 
-def test_a_run_that_starts_does_not_take_the_parts_of_one_that_is_writing(tmp_path, monkeypatch):
+@pytest.mark.parametrize(("owner", "step"), [(os, "fsync"), (Path, "chmod"), (Path, "replace")])
+def test_a_run_that_starts_does_not_take_the_parts_of_one_that_is_writing(owner, step, tmp_path, monkeypatch):
     """Two terminals: what `sweep` is for are the parts of killed processes, and a living one still needs its own."""
-    real = os.fsync
+    real = getattr(owner, step)
 
-    def meanwhile(handle):
-        real(handle)
+    def meanwhile(*words):
         sweep(tmp_path)
+        return real(*words)
 
-    monkeypatch.setattr(files.os, "fsync", meanwhile)
+    monkeypatch.setattr(owner, step, meanwhile)
     write_atomically(tmp_path / "file", "text")
     assert read(tmp_path / "file") == "text"
 

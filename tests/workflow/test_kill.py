@@ -113,7 +113,6 @@ def end(running, how):
         *(("kill main", moment) for moment in MOMENTS),
         ("terminate main", "files appear"),
         ("interrupt all", "files appear"),
-        ("interrupt all", "workers compute"),
     ],
 )
 def test_after_the_end_all_is_whole_and_the_next_run_finishes(how, moment, slow, undisturbed, tmp_path, tools):

@@ -1,0 +1,82 @@
+"""`paper/` and `solid/` import nothing from each other: what they agree on, a slip in one of them cannot explain.
+
+The tolerance is rounding: stencil entries are sums of a few hundred products of numbers of the size of the largest one,
+each off by 2^-52 of it, times the condition number of the moment matrix, below 30 for R >= 11/10 in units of the support.
+"""
+
+import itertools
+
+import numpy as np
+import pytest
+
+from rkverify.arithmetic.native import Float
+from rkverify.kernels import KERNELS, kernel
+from rkverify.paper.approximation import approximation
+from rkverify.paper.shape import shape_functions, shape_gradient
+from rkverify.readings import CELL_EDGES, CELL_MEASURES, CONVECTIONS, DERIVATIVES, NODE_MOTIONS, STRESS_LAWS, Readings
+from rkverify.solid.line import line
+from rkverify.stability import jacobian_paper, jacobian_solid
+from rkverify.stability.lagrangian import StretchedBar, stencil, stencil_by_complex_step
+from rkverify.stability.lattice_state import Base
+
+RATIOS = ("11/10", "3/2", "7/4", "2", "5/2", "7/2")
+TOLERANCE = 30 * 300 * 2.0**-52
+
+# Each reading by itself, from the defaults; and all together in the last.
+CHANGES = [
+    *({"convection": c} for c in CONVECTIONS),
+    *({"derivative": d} for d in DERIVATIVES),
+    *({"stress_law": s} for s in STRESS_LAWS),
+    *({"node_motion": m} for m in NODE_MOTIONS),
+    *({"cell_edges": e} for e in CELL_EDGES),
+    *({"cell_measure": m} for m in CELL_MEASURES),
+    {"node_motion": "field", "cell_edges": "material", "cell_measure": "material", "convection": "true"},
+]
+
+
+@pytest.mark.decides("E65", "E66", "E67", "E69")
+@pytest.mark.parametrize("integration", ["scni", "dni"])
+@pytest.mark.parametrize("ratio", RATIOS)
+def test_stencils_from_duals_and_from_complex_steps_agree(ratio: str, integration: str) -> None:
+    for change in CHANGES:
+        base = Base(ratio, Readings(integration, **change), "1/3", "1/5", frame_velocity="1/7")
+        one, other = jacobian_paper.linearise(base, Float()).stencil, jacobian_solid.stencil(base)
+        largest = max(abs(c) for part in other.values() for c in part.values())
+        for key, part in other.items():
+            for n, c in part.items():
+                assert abs(one[key].get(n, 0.0) - c) <= TOLERANCE * largest, (change, key, n)
+
+
+@pytest.mark.parametrize("name", [n for n, k in KERNELS.items() if k.continuity >= 2])
+@pytest.mark.parametrize("order", [1, 2])
+def test_stencils_agree_for_every_kernel_and_order(name: str, order: int) -> None:
+    base = Base("9/4", Readings("dni", "true"), "-1/3", "1/5", kernel=name, order=order)
+    one, other = jacobian_paper.linearise(base, Float()).stencil, jacobian_solid.stencil(base)
+    largest = max(abs(c) for part in other.values() for c in part.values())
+    worst = max(abs(one[key].get(n, 0.0) - c) for key, part in other.items() for n, c in part.items())
+    # A quadratic basis has a condition number some hundred times larger.
+    assert worst <= 100 ** (order - 1) * TOLERANCE * largest
+
+
+@pytest.mark.parametrize(("ratio", "integration"), list(itertools.product(RATIOS, ["scni", "dni"])))
+def test_the_lagrangian_bar_agrees(ratio: str, integration: str) -> None:
+    base = StretchedBar(ratio, integration, "1/3", "6/5", "1/2", "diffuse")
+    one, other = stencil(base, Float()), stencil_by_complex_step(base)
+    largest = max(map(abs, other.values()))
+    assert max(abs(one[n] - other[n]) for n in other) <= TOLERANCE * largest
+
+
+@pytest.mark.parametrize("order", [0, 1, 2])
+def test_shape_functions_and_gradients_on_uneven_nodes_agree(order: int) -> None:
+    nodes = [0.0, 0.9, 2.1, 2.9, 4.2, 5.0]
+    supports, points = np.array([2.4, 2.6, 2.5, 2.7, 2.4, 2.6]), np.array([1.3, 2.1, 3.35])
+    A = approximation([[x] for x in nodes], list(supports), Float(), order=order)
+    near = line(points[:, None] - np.array(nodes)[None, :], supports, kernel("cubic"), order)
+    for p, x in enumerate(points):
+        for J, Psi in shape_functions(A, (float(x),)).items():
+            assert abs(near.shape()[p, J] - Psi) <= TOLERANCE
+        for reading in DERIVATIVES:
+            if reading == "diffuse" and order == 0:
+                continue
+            for J, slope in shape_gradient(A, (float(x),), 0, reading).items():
+                assert abs(near.gradient(reading)[p, J] - slope) <= 100 * TOLERANCE
