@@ -63,10 +63,11 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
         f"What the printed stencils lose against the linearised equations; sigma/C = {p.stress} and Q = {p.gradient} (ours), cubic kernel, "
         "linear basis."
     )
-    alternative = (
-        "The stress term of SCNI is lost only beyond R = 3/2, and then slightly; the terms of N and the stress term of DNI differ "
-        "from the linearised equations by about their own size at every R."
-    )
+    spans = []
+    for link, (under, label) in shown.items():
+        lost = frame[(frame["link"] == link) & (frame["under"] == under)]["lost"]
+        spans.append(f"{label} from {lost.min():.2g} to {lost.max():.2g}")
+    alternative = f"What is lost over R, as a share of the largest coefficient: {'; '.join(spans)}."
     return {"lost": Drawing(figure, caption, alternative)}
 
 

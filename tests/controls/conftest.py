@@ -54,7 +54,11 @@ def as_it_is(root: Path, studies: Iterable[str]) -> None:
         shutil.copytree(ROOT / folder, root / folder)
     for file in ("pyproject.toml", "requirements.lock"):
         shutil.copy2(ROOT / file, root / file)
-    states = Copy(root).states(studies)
+    made = Copy(root)
+    made.patch(
+        "rkverify/workflow/produce.py", "study.draw(parameters, tables)", "{}"
+    )  # figures take time and decide nothing
+    states = made.states(studies)
     root.with_suffix(".json").write_text(json.dumps(states), encoding="utf-8")
 
 

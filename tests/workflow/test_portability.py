@@ -6,7 +6,7 @@ asking; `git status` after `make reproduce` stays clean only if none of it reach
 
 import pytest
 
-REAL = ("kernels", "figure4", "printed_consequences")  # floats and a library's spline; enclosures; machine algebra
+REAL = ("kernels", "printed_consequences")  # floats and a library's splines, drawn; machine algebra
 HERE = {"PYTHONHASHSEED": "1", "TZ": "Pacific/Auckland", "OMP_NUM_THREADS": "1", "LC_ALL": "C"}
 THERE = {"PYTHONHASHSEED": "77", "TZ": "America/Caracas", "OMP_NUM_THREADS": "4", "LC_ALL": "C.UTF-8"}
 
@@ -26,18 +26,11 @@ def two(untouched, tmp_path, tools):
 
 def test_two_machines_write_the_same_files(two, tools):
     for place, more, jobs in zip(two, (HERE, THERE), ("1", "2"), strict=True):
-        place.study("figure4", use_quick_parameters(place))
         done = place.command("run", "--jobs", jobs, **more)
-        assert (done.returncode, done.stderr, tools.summary(done)) == (0, "", (6, 0, 0))
+        assert (done.returncode, done.stderr, tools.summary(done)) == (0, "", (5, 0, 0))
     here, there = (place.contents() for place in two)
     assert here.keys() == there.keys()
     assert [name for name in here if here[name] != there[name]] == []
-
-
-def use_quick_parameters(place):
-    text = (place.root / "studies" / "figure4.py").read_text(encoding="utf-8")
-    assert text.count("samples: int = 240") == 1
-    return text.replace("samples: int = 240", "samples: int = 24")
 
 
 def test_results_carry_no_trace_of_time_and_place(finished):
