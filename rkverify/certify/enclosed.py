@@ -14,7 +14,7 @@ def certain_digits(x: Guarded, digits: int = DIGITS) -> str:
 
     >>> K = Ball(30)
     >>> certain_digits(K.ratio(1, 3), 5), certain_digits(K.sin(K.pi()))
-    ('0.33333', '0e-33')
+    ('0.33333', '0e-32')
     """
     if not x.value.is_finite():
         raise Undecided("a value came out without bounds: use more digits, or a point where it is defined")

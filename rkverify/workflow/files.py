@@ -18,13 +18,13 @@ def write_atomically(path: Path, text: str) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
         handle, name = tempfile.mkstemp(prefix=".part-", dir=path.parent)
         try:
-            fcntl.flock(handle, fcntl.LOCK_EX)  # held while the file is open: the sign that its writer lives
             with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as stream:
+                fcntl.flock(stream, fcntl.LOCK_EX)  # held until the file has its name: the sign that its writer lives
                 stream.write(text)
                 stream.flush()
                 os.fsync(stream.fileno())
-            Path(name).chmod(0o644)
-            Path(name).replace(path)
+                Path(name).chmod(0o644)
+                Path(name).replace(path)
         except BaseException:
             Path(name).unlink(missing_ok=True)
             raise

@@ -111,9 +111,8 @@ class SmallCheckout:
         (self.root / "studies" / f"{name}.py").write_text(text, encoding="utf-8")
 
     def start(self, *words: str, **options) -> subprocess.Popen:
-        """`rkverify WORDS`, running; options are those of Popen."""
-        command = [sys.executable, "-m", "rkverify", *words]
-        return subprocess.Popen(command, cwd=self.root, **{"env": environment(), **options})
+        """Python in the copy, running; options are those of Popen."""
+        return subprocess.Popen([sys.executable, *words], cwd=self.root, **{"env": environment(), **options})
 
     def command(self, *words: str, **options) -> subprocess.CompletedProcess[str]:
         """`rkverify WORDS`."""

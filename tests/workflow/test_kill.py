@@ -42,9 +42,9 @@ STUDY = Study("Slow", Parameters(), Parameters(), compute, lambda p, tables: [])
 STUDIES = {"first": SLOW.format(seconds=0.05), "second": SLOW.format(seconds=0.4), "third": SLOW.format(seconds=0.3)}
 
 MOMENTS = {
-    "workers compute": lambda small: len(workers(small)) >= 1 and small.results.exists(),
-    "files appear": lambda small: small.results.exists() and len(list(small.results.rglob("table_*"))) >= 10,
-    "a study is done": lambda small: small.runs.exists() and any(small.runs.glob("*.json")),
+    "workers start": lambda running: len(workers(running)) >= 1,
+    "files appear": lambda running: running.results.exists() and len(list(running.results.rglob("table_*"))) >= 10,
+    "a study is done": lambda running: running.runs.exists() and any(running.runs.glob("*.json")),
 }
 
 
@@ -69,18 +69,17 @@ def group(leader):
     return [int(pid) for pid, pgid, state in rows if int(pgid) == leader and int(pid) != leader and state[0] != "Z"]
 
 
-def workers(small):
-    return group(small.run.pid)
+def workers(running):
+    return group(running.run.pid)
 
 
 class Running:
     """A checkout in which a run is going on, in a process group of its own."""
 
-    def __init__(self, small):
+    def __init__(self, small, program=("-m", "rkverify")):
         self.results, self.runs = small.results, small.runs
-        self.run = small.start(
-            "run", "--jobs", "2", start_new_session=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-        )
+        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+        self.run = small.start(*program, "run", "--jobs", "2", start_new_session=True, **pipes)
 
     def wait_for(self, moment):
         end = time.monotonic() + 60
@@ -90,7 +89,8 @@ class Running:
             time.sleep(0.002)
 
     def nobody_left(self):
-        """Within two seconds; the processes that are still there afterwards."""
+        """The processes that are still there two seconds after the leader's end."""
+        self.run.wait(timeout=20)
         end = time.monotonic() + 2
         while (left := group(self.run.pid)) and time.monotonic() < end:
             time.sleep(0.05)
@@ -104,6 +104,13 @@ def end(running, how):
         "terminate main": lambda pid: os.kill(pid, signal.SIGTERM),
         "interrupt all": lambda pid: os.killpg(pid, signal.SIGINT),
     }[how](running.run.pid)
+
+
+def stop(running):
+    """End whatever is left of a run, whose own processes these are; what it wrote to standard error."""
+    for pid in group(running.run.pid):
+        os.kill(pid, signal.SIGKILL)
+    return running.run.communicate(timeout=20)[1]
 
 
 @pytest.mark.parametrize(
@@ -121,14 +128,12 @@ def test_after_the_end_all_is_whole_and_the_next_run_finishes(how, moment, slow,
     running.wait_for(moment)
     end(running, how)
     try:
-        _, complaints = running.run.communicate(timeout=20)
         assert running.nobody_left() == []
     finally:
-        for pid in group(running.run.pid):
-            os.kill(pid, signal.SIGKILL)
+        complaints = stop(running)
     found = {name: content for name, content in small.contents().items() if "/.part-" not in name}
     assert [name for name, content in found.items() if undisturbed.get(name) != content] == []
-    if how == "interrupt all":
+    if how == "interrupt all" and running.run.returncode != 0:  # 0: on a busy machine it came after the last file
         assert running.run.returncode == 130
         assert complaints == "rkverify: interrupted; the next run goes on where this one stopped\n"
     done = small.command("run", "--jobs", "2")
@@ -137,13 +142,34 @@ def test_after_the_end_all_is_whole_and_the_next_run_finishes(how, moment, slow,
     assert not list(small.root.rglob(".part-*"))
 
 
+# The run with tasks that reach the workers only after some seconds: between start and first task, for a long while.
+LATE = """
+import multiprocessing.queues as queues, runpy, sys, time
+
+feed = queues.Queue._feed
+queues.Queue._feed = staticmethod(lambda *words: (time.sleep(9), feed(*words)))
+sys.argv[0] = "rkverify"
+runpy.run_module("rkverify", run_name="__main__")
+"""
+
+
+def test_a_worker_that_waits_for_its_first_task_leaves_too(slow, tmp_path, tools):
+    running = Running(tools.copy(slow, tmp_path / "small checkout"), ("-c", LATE))
+    running.wait_for("workers start")
+    end(running, "kill main")
+    try:
+        assert running.nobody_left() == []
+    finally:
+        stop(running)
+
+
 def test_a_killed_run_is_gone_on_with(slow, tmp_path, tools):
     """What was finished before the end is not computed again."""
     small = tools.copy(slow, tmp_path / "small checkout")
     running = Running(small)
     running.wait_for("a study is done")
     end(running, "kill all")
-    running.run.communicate(timeout=20)
+    stop(running)
     finished = len(list(small.runs.glob("*.json")))
     done = small.command("run", "--jobs", "2")
     assert tools.summary(done) == (3 - finished, finished, 0)

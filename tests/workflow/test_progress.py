@@ -18,7 +18,7 @@ def test_a_pipe_gets_nothing(jobs, fresh, tools):
 def test_a_terminal_is_shown_the_studies(jobs, fresh):
     ours, theirs = pty.openpty()
     termios.tcsetwinsize(theirs, (24, 80))
-    run = fresh.start("run", "--jobs", jobs, stdout=subprocess.DEVNULL, stderr=theirs)
+    run = fresh.start("-m", "rkverify", "run", "--jobs", jobs, stdout=subprocess.DEVNULL, stderr=theirs)
     os.close(theirs)
     shown = b""
     while True:
