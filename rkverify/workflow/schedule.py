@@ -4,7 +4,9 @@ doit's own database is thrown away after a run: what is current is decided by id
 killed run leaves intact.
 """
 
+import ctypes
 import os
+import signal
 import sys
 import tempfile
 import threading
@@ -52,6 +54,8 @@ class Task:
 def schedule(tasks: list[Task], processes: int) -> Outcome:
     """Do what is not current; a task that fails does not keep the others from running."""
     outcome = Outcome()
+    if processes > 1 and hasattr(os, "register_at_fork"):
+        os.register_at_fork(after_in_child=_end_with_parent)
     with tempfile.TemporaryDirectory() as folder:
         loader = _Loader(tasks, str(Path(folder) / "doit.db"), outcome)
         parallel = ["-n", str(processes)] if processes > 1 else []
@@ -105,6 +109,13 @@ def _in_child(action: Callable[[], None], sender: connection.Connection) -> None
         sender.send(traceback.format_exc())
     else:
         sender.send("")
+
+
+def _end_with_parent() -> None:
+    """Have Linux end this process with its parent, from its very start on."""
+    if sys.platform == "linux":
+        set_death_signal = 1  # PR_SET_PDEATHSIG of prctl(2)
+        ctypes.CDLL(None).prctl(set_death_signal, signal.SIGKILL)
 
 
 def _leave_with_parent() -> None:
