@@ -33,7 +33,7 @@ smoke: install ## reproduce in a quick form, under .rkverify/quick (20 s)
 	$(RUN) run --quick
 	$(RUN) report --quick
 
-test: install ## the tests, property tests in their quick profile (3 min)
+test: install ## the tests, property tests in their quick profile (7 min)
 	$(BIN)/python -m pytest -n auto
 
 property: install ## the property tests as in CI: derandomised, no deadline, no database (2 min)

@@ -41,7 +41,6 @@ def test_a_second_run_does_nothing(small, tools):
     [
         ("rkverify/paper/cells.py", {"gradients"}),
         ("rkverify/paper/numbered.py", {"gradients", "phases"}),
-        ("rkverify/stability/roots.py", set()),
     ],
 )
 def test_a_changed_line_runs_the_studies_that_import_it(path, concerned, small, tools):
