@@ -12,6 +12,8 @@ StressLaw = Literal["truesdell", "cauchy-rate", "literal"]
 NodeMotion = Literal["coefficient", "field"]
 CellEdges = Literal["voronoi", "material", "fixed"]
 CellMeasure = Literal["edges", "material", "fixed"]
+SupportRadius = Literal["fixed", "spacing"]
+Mass = Literal["lumped", "consistent"]
 Integration = Literal["scni", "dni"]
 
 DERIVATIVES: tuple[Derivative, ...] = get_args(Derivative)
@@ -26,6 +28,8 @@ STRESS_LAWS: tuple[StressLaw, ...] = get_args(StressLaw)
 NODE_MOTIONS: tuple[NodeMotion, ...] = get_args(NodeMotion)
 CELL_EDGES: tuple[CellEdges, ...] = get_args(CellEdges)
 CELL_MEASURES: tuple[CellMeasure, ...] = get_args(CellMeasure)
+SUPPORT_RADII: tuple[SupportRadius, ...] = get_args(SupportRadius)
+MASSES: tuple[Mass, ...] = get_args(Mass)
 INTEGRATIONS: tuple[Integration, ...] = get_args(Integration)
 
 
@@ -36,7 +40,8 @@ class Readings:
     convection: N with Psi* (40), with the true material rate, or none. stress_law: sigma' = (C + sigma) L (truesdell),
     sigma' = C L (cauchy-rate), or (69) taken literally. node_motion: a node moves with its own coefficient v_I, or with
     the field v(x_I). cell_edges: half-way between nodes, carried by the field, or fixed in space. cell_measure a_K: from
-    the edges, growing as a_K' = a_K L_K, or fixed; the mass m_K = rho_K a_K of a cell never changes.
+    the edges, growing as a_K' = a_K L_K, or fixed; the mass m_K = rho_K a_K of a cell never changes. support_radius in
+    time: fixed, or R times half the distance between the neighbours. mass: row sums (lumped), or the whole of (42).
     """
 
     integration: Integration
@@ -46,6 +51,8 @@ class Readings:
     node_motion: NodeMotion = "coefficient"
     cell_edges: CellEdges = "voronoi"
     cell_measure: CellMeasure = "edges"
+    support_radius: SupportRadius = "fixed"
+    mass: Mass = "lumped"
 
     def __post_init__(self) -> None:
         """Raises UnknownName for an option that does not exist."""
@@ -57,6 +64,8 @@ class Readings:
             ("node motion", self.node_motion, NODE_MOTIONS),
             ("cell edges", self.cell_edges, CELL_EDGES),
             ("cell measure", self.cell_measure, CELL_MEASURES),
+            ("support radius", self.support_radius, SUPPORT_RADII),
+            ("mass", self.mass, MASSES),
         )
         for kind, value, known in options:
             if value not in known:

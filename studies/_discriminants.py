@@ -6,9 +6,11 @@ from fractions import Fraction
 from typing import Any
 
 from rkverify.certify.curves import Reading, census, discriminants
+from rkverify.stability.side_by_side import SEVERAL, Case, semi_lagrangian_rows
 from rkverify.workflow.compare import Certified
 from rkverify.workflow.study import Drawing, Table, Tables, table
 from rkverify.workflow.style import LINES, kh_axis, new_figure, sign_key, sign_map
+from studies import _layers as side_by_side
 
 SCNI = (Reading("scni", half_point="edge"), Reading("scni", half_point="literal"))
 DNI = tuple(Reading("dni", derivative=d) for d in ("full", "diffuse", "frozen-b", "frozen"))
@@ -39,7 +41,8 @@ CENSUS = [
 class Parameters:
     """What a figure shows and over which range its statement is tried.
 
-    Strings are exact: 1/20 is one twentieth. `spacings`: the first is the paper's for Figures 7 and 8.
+    Strings are exact: 1/20 is one twentieth. `spacings`: the first is the paper's for Figures 7 and 8, and that of the
+    layers side by side. `waves`: n of the measured points kh = pi n/8.
     """
 
     readings: tuple[Reading, ...]
@@ -54,6 +57,10 @@ class Parameters:
     samples: int = 96
     map_samples: int = 48
     tried_samples: int = 40
+    cases: tuple[Case, ...] = ()
+    layer_gradients: tuple[str, ...] = ("-2", "0", "2")
+    layer_samples: int = 96
+    waves: tuple[int, ...] = (2, 4, 6, 7)
 
 
 def quick(p: Parameters) -> Parameters:
@@ -68,6 +75,9 @@ def quick(p: Parameters) -> Parameters:
         samples=12,
         map_samples=8,
         tried_samples=8,
+        layer_samples=16,
+        cases=p.cases[:1],
+        waves=p.waves[1:2],
     )
 
 
@@ -98,6 +108,10 @@ def compute(p: Parameters) -> Tables:
             CENSUS,
             "Signs of D over the whole range that was tried.",
             Certified(),
+        ),
+        "layers": side_by_side.layer_table(
+            semi_lagrangian_rows(p.cases, _middle(p), p.layer_gradients, p.spacings[0], p.layer_samples, p.waves),
+            f"Frequency and growth in every layer; sigma/C = {_middle(p)}, h = {p.spacings[0]}.",
         ),
     }
     return tables
@@ -131,6 +145,26 @@ def draw(p: Parameters, tables: Tables, name: str, caption: str, alternative: st
         axes.set_title(f"{reading}; h = {p.spacings[-1]}, {fixed}", fontsize=8)
     sign_key(below, "D > 0: both frequencies real", "D < 0: one grows", "C + σ = 0")
     return {name: Drawing(figure, caption, alternative)}
+
+
+def draw_layers(p: Parameters, tables: Tables, number: int) -> Mapping[str, Drawing]:
+    """The layers side by side at the stress of the curves."""
+    h = _number(p.spacings[0])
+    bands = {Q: abs(_number(Q)) * h for Q in p.layer_gradients}
+    below = tables["layers"].frame["uncertain_below"].max()
+    caption = (
+        f"Figure {number}, layers side by side: the printed relation, the equations linearised as the paper defines them (N with Psi*), and with the true material rate (consistent); "
+        f"circles: rates measured in nonlinear computations at Q = 0 and kh = pi n/8, n = {', '.join(map(str, p.waves))}, with an uncertainty below {below:g}; "
+        "with Q != 0 the base itself changes while a wave grows, so that no constant rate can be measured and the curves are those of frozen coefficients. "
+        f"Dark grey: growth up to the largest |Q|, which decides nothing, because the frozen equations have a stress mode of their own that grows at such a rate; "
+        f"light grey: up to {SEVERAL}|Q|, left open, because the base changes as fast as such a wave grows. "
+        f"Ours: sigma/C = {_middle(p)}, Q = {', '.join(p.layer_gradients)}, h = {p.spacings[0]}{' (the paper names it for Figures 7 and 8)' if number > 6 else ''}, of which only Q h counts; "
+        "R as titled; rho = C^sigma = 1, cubic B-spline (12), linear basis; C(h/2) at the cell's edge; Truesdell rate, cell edges half-way between nodes, "
+        "cell measure from the edges, nodes move with their own coefficients."
+    )
+    alternative = f"{side_by_side.at_rest_sentences(tables)} {side_by_side.growth_sentences(tables, bands)}"
+    figure = side_by_side.draw_layers(tables, h, p.layer_gradients)
+    return {f"figure{number}_layers": Drawing(figure, caption, alternative)}
 
 
 def _middle(p: Parameters) -> str:

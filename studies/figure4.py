@@ -5,19 +5,29 @@ from dataclasses import dataclass
 
 from rkverify.certify import consequences
 from rkverify.certify.curves import frequencies_near_pi, lagrangian_frequencies
+from rkverify.stability.side_by_side import lagrangian_rows
 from rkverify.workflow.compare import Certified
 from rkverify.workflow.study import Drawing, Statement, Study, Tables, table
 from rkverify.workflow.style import LINES, kh_axis, new_figure
+from studies import _layers as side_by_side
 
 
 @dataclass(frozen=True)
 class Parameters:
-    """Support ratios R, points on the curve, and the share of the peak that 'very close to zero' may mean."""
+    """Support ratios R, points on the curve, and the share of the peak that 'very close to zero' may mean.
+
+    Layers side by side: support ratios, stretch F, stress S/C^SE, points, and n of the measured points kh = pi n/8.
+    """
 
     support_ratios: tuple[str, ...] = ("1.1", "1.5", "2", "2.5", "3", "3.5")
     samples: int = 240
     named: str = "3.5"
     close: float = 0.05
+    layer_ratios: tuple[str, ...] = ("1.1", "1.5", "2", "2.5", "3.5")
+    stretch: str = "6/5"
+    stress: str = "1/3"
+    layer_samples: int = 96
+    waves: tuple[int, ...] = (1, 2, 3, 4, 5, 6, 7)
 
 
 def compute(p: Parameters) -> Tables:
@@ -48,6 +58,10 @@ def compute(p: Parameters) -> Tables:
             "How the frequency falls towards the cut-off kh = pi.",
             Certified(),
         ),
+        "layers": side_by_side.layer_table(
+            lagrangian_rows(("scni", "dni"), p.layer_ratios, p.stretch, p.stress, p.layer_samples, p.waves),
+            f"Frequency over c/h in every layer, F = {p.stretch}, S/C^SE = {p.stress}; as-defined and consistent are the same equation.",
+        ),
     }
 
 
@@ -75,7 +89,50 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
         f"The peak falls from {float(peaks.iloc[0]):.2f} at R = {peaks.index[0]} to {float(peaks.iloc[-1]):.2f} at R = {peaks.index[-1]}, "
         "and with larger support the curve lies flat near zero over a wide range before kh = pi."
     )
-    return {"figure4": Drawing(figure, caption, alternative)}
+    return {"figure4": Drawing(figure, caption, alternative), "figure4_layers": _draw_layers(p, tables)}
+
+
+def _draw_layers(p: Parameters, tables: Tables) -> Drawing:
+    """(63), the linearised bar with SCNI, and with DNI; measured frequencies as circles."""
+    frame = tables["layers"].frame
+    figure = new_figure(10, 3.9)
+    panels = (
+        ("SCNI", "printed", "SCNI: (63) as printed"),
+        ("SCNI", "as-defined", "SCNI: as-defined = consistent"),
+        ("DNI", "as-defined", "DNI: as-defined = consistent\n(not in the paper)"),
+    )
+    for axes, (integration, layer, title) in zip(figure.subplots(1, 3, sharey=True), panels, strict=True):
+        for style, R in zip(LINES, p.layer_ratios, strict=False):
+            case = frame[frame["case"] == f"{integration}, R = {R}"]
+            line, points = case[case["layer"] == layer], case[case["layer"] == "simulated"]
+            axes.plot(line["kh"], line["frequency"], label=f"R = {R}", **style)
+            side_by_side.circles(axes, points, "frequency", None)
+        kh_axis(axes, "kh  (rad)")
+        axes.set_title(title, fontsize=9)
+    figure.axes[0].set(ylabel="frequency  ωh/c  (1)", ylim=(0, 1.2))
+    side_by_side.circles(figure.axes[0], frame.iloc[:0], "frequency", "measured")
+    figure.legend(*figure.axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=6)
+    names = list(dict.fromkeys(frame["case"]))
+    scni, dni = ([name for name in names if name.startswith(word)] for word in ("SCNI", "DNI"))
+    below = frame["uncertain_below"].max()
+    printed = max(side_by_side.gap(tables, case, "printed", "as-defined", "0") for case in scni)
+    measured = max(side_by_side.gap(tables, case, "as-defined", "simulated", "0") for case in (*scni, *dni))
+    peaks = [
+        f"R = {R}: {side_by_side.largest(tables, f'SCNI, R = {R}', 'as-defined', '0', 'frequency'):.3g} (SCNI) and "
+        f"{side_by_side.largest(tables, f'DNI, R = {R}', 'as-defined', '0', 'frequency'):.3g} (DNI)"
+        for R in p.layer_ratios
+    ]
+    caption = (
+        "Figure 4, layers side by side: (63) as printed, the Lagrangian bar linearised as the paper defines it with SCNI, and with DNI, for which the paper prints no relation. "
+        "There is no convective term, so that the layer consistent is the same equation as as-defined. Circles: frequencies measured in nonlinear computations "
+        f"at kh = pi n/8, n = {', '.join(map(str, p.waves))}, with an uncertainty below {below:g}. R = {', '.join(p.layer_ratios)} (3.5 is named in the paper), "
+        f"F = {p.stretch}, S/C^SE = {p.stress} (ours; frequencies are over c/h with c^2 = (C^SE F^2 + S)/rho_0, so that they drop out), cubic B-spline, linear basis, full derivative for DNI."
+    )
+    alternative = (
+        f"(63) and the linearised bar with SCNI differ by {side_by_side.within(printed)} of c/h; measured frequencies lie on the curves of SCNI and DNI, off by "
+        f"{side_by_side.within(measured)}. Both integrations reach zero at kh = pi. Peaks: {'; '.join(peaks)}."
+    )
+    return Drawing(figure, caption, alternative)
 
 
 def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
@@ -138,5 +195,10 @@ def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
 
 
 STUDY = Study(
-    "Figure 4: frequency of Lagrangian RK with SCNI", Parameters(), Parameters(samples=24), compute, judge, draw
+    "Figure 4: frequency of Lagrangian RK with SCNI",
+    Parameters(),
+    Parameters(samples=24, layer_samples=16, layer_ratios=("1.5", "3.5"), waves=(4,)),
+    compute,
+    judge,
+    draw,
 )

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 from rkverify.certify.curves import convective_gain
+from rkverify.stability.side_by_side import Case
 from rkverify.workflow.study import Drawing, Statement, Study, Tables
 from studies import _discriminants as shared
 from studies._discriminants import Parameters
@@ -13,6 +14,7 @@ PARAMETERS = Parameters(
     readings=shared.SCNI,
     stresses=("-1/2", "1/2", "2"),
     tried_stresses=("-9/10", "-1/2", "0", "1/2", "5"),
+    cases=(Case("scni", "3/2"), Case("scni", "7/4")),
 )
 
 
@@ -27,7 +29,8 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
         f"D over kh for several velocity gradients and its sign over maps. No sample is negative in any of {sum(v.settings for v in found)} settings: "
         "the map over kh and Q and the maps above C + sigma = 0 are of the stable colour, those below it of the unstable one. D touches zero at kh = pi where Q = 0, and a larger Q lifts it."
     )
-    return shared.draw(p, tables, "figure5", caption, alternative)
+    printed = shared.draw(p, tables, "figure5", caption, alternative)
+    return {**printed, **shared.draw_layers(p, tables, 5)}
 
 
 def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
@@ -52,7 +55,7 @@ def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
     slight = [
         Statement(
             f"gain_h_{h.replace('/', '_')}",
-            ("C57",),
+            ("C57", "C69"),
             f"h = {h}: a velocity gradient Q = {largest_Q} raises D by at most {gain:.3g} of its peak without it; 'slightly' is taken as below {SLIGHTLY:g}.",
             gain < SLIGHTLY,
             f"R = {p.support_ratio}, sigma/C = {p.stresses[1]}, kh = pi n/{p.samples}; rho = C^sigma = 1",

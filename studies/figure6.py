@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
+from rkverify.stability.side_by_side import Case
 from rkverify.workflow.study import Drawing, Statement, Study, Tables
 from studies import _discriminants as shared
 from studies._discriminants import Parameters
@@ -10,6 +11,8 @@ PARAMETERS = Parameters(
     readings=shared.SCNI,
     stresses=("-11/10", "-3/2", "-2"),
     tried_stresses=("-101/100", "-11/10", "-3/2", "-2", "-5"),
+    cases=(Case("scni", "3/2"), Case("scni", "7/4")),
+    waves=(1, 2, 4, 5),
 )
 
 
@@ -23,7 +26,8 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
         f"D over kh is negative over most wave numbers at h = {p.spacings[0]}. At h = {p.spacings[-1]} a velocity gradient lifts it: the map over kh and Q turns from "
         "the unstable to the stable colour as Q grows, although the continuum is unstable throughout."
     )
-    return shared.draw(p, tables, "figure6", caption, alternative)
+    printed = shared.draw(p, tables, "figure6", caption, alternative)
+    return {**printed, **shared.draw_layers(p, tables, 6)}
 
 
 def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
+from rkverify.stability.side_by_side import Case
 from rkverify.workflow.study import Drawing, Statement, Study, Tables
 from studies import _discriminants as shared
 from studies._discriminants import Parameters
@@ -10,6 +11,8 @@ PARAMETERS = Parameters(
     readings=shared.DNI,
     stresses=("1/10", "1/2", "1"),
     tried_stresses=("1/100", "1/10", "1/2", "1", "5"),
+    cases=(Case("dni", "3/2"), Case("dni", "7/4"), Case("dni", "3/2", "diffuse")),
+    waves=(1, 2, 4, 7),
 )
 
 
@@ -23,7 +26,8 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
         f"D over kh in tension falls below zero towards kh = pi at h = {p.spacings[0]} for every Q; the maps over kh and stress are of the unstable colour "
         f"from an intermediate wave number to pi wherever the stress is positive, wider with more tension, and of the stable colour in compression. At h = {p.spacings[-1]} a velocity gradient of order one lifts D above zero."
     )
-    return shared.draw(p, tables, "figure7", caption, alternative)
+    printed = shared.draw(p, tables, "figure7", caption, alternative)
+    return {**printed, **shared.draw_layers(p, tables, 7)}
 
 
 def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
+from rkverify.stability.side_by_side import Case
 from rkverify.workflow.study import Drawing, Statement, Study, Tables
 from studies import _discriminants as shared
 from studies._discriminants import Parameters
@@ -10,6 +11,8 @@ PARAMETERS = Parameters(
     readings=shared.DNI,
     stresses=("-11/10", "-3/2", "-2"),
     tried_stresses=("-101/100", "-11/10", "-3/2", "-2", "-5"),
+    cases=(Case("dni", "3/2"), Case("dni", "7/4"), Case("dni", "3/2", "diffuse")),
+    waves=(1, 2, 4, 7),
 )
 
 
@@ -24,7 +27,8 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
         f"D over kh is positive for every wave number in {sum(v.all_positive for v in found)} of {sum(v.settings for v in found)} settings although the continuum is unstable: "
         "the map over kh and Q and the maps over kh and stress below C + sigma = 0 show the stable colour."
     )
-    return shared.draw(p, tables, "figure8", caption, alternative)
+    printed = shared.draw(p, tables, "figure8", caption, alternative)
+    return {**printed, **shared.draw_layers(p, tables, 8)}
 
 
 def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:

@@ -101,7 +101,7 @@ def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
         proved("sign_of_Q", ("C43",), "D of (79) does not change when Q changes its sign.", even),
         proved(
             "gain_scni",
-            ("C56",),
+            ("C4", "C56"),
             "With the convective term D of (79) is larger by B^2 + (4 Q C(h) phi'(h)/R)^2 (1 - cos kh), never smaller.",
             gain["SCNI"],
         ),

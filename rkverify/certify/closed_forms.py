@@ -1,43 +1,29 @@
-"""The right counterparts of (76), (82), (86), (87) on the uniform lattice with 1 < R < 2, by machine algebra.
+"""The right counterparts of (75), (81) on the uniform lattice with 1 < R < 2, by machine algebra.
 
 The lines of `paper/` are run with rational functions and duals: once with the cubic kernel as functions of R, once
 with a kernel of which only the values that occur have names. Unit spacing, density and modulus; s = sigma/C^sigma.
 """
 
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Any, cast
 
+import numpy as np
 import sympy
 
 from rkverify.arithmetic.multiprecision import Multiprecision
 from rkverify.arithmetic.rational_functions import RationalFunctions
-from rkverify.certify.kernel_symbols import named_kernel
+from rkverify.certify.kernel_forms import kernel_by_values, sample_of_kernel
 from rkverify.errors import BadInput
 from rkverify.kernels import Kernel
-from rkverify.readings import Convection, Derivative, Integration, Readings
+from rkverify.readings import Convection, Readings
 from rkverify.stability.jacobian_paper import Stencil, linearise
 from rkverify.stability.lattice_state import Base
 
 SAMPLES = {"low": Fraction(13, 10), "high": Fraction(7, 4)}
 """A support ratio on either side of R = 3/2, beyond which a cell edge sees four nodes."""
 
-
-@dataclass(frozen=True)
-class ClosedForm:
-    """One coefficient of the linearised equations: which, for which readings and R, and its closed form.
-
-    rate, variable, shift: derivative of the rate at node I with respect to the variable at node I + shift.
-    """
-
-    integration: Integration
-    derivative: Derivative
-    convection: Convection
-    side: str
-    rate: str
-    variable: str
-    shift: int
-    form: sympy.Expr
+RANGES = {"low": (Fraction(1), Fraction(3, 2)), "high": (Fraction(3, 2), Fraction(2))}
 
 
 def stencil_over_R(readings: Readings, side: str) -> tuple[Stencil, RationalFunctions]:
@@ -49,23 +35,15 @@ def stencil_over_R(readings: Readings, side: str) -> tuple[Stencil, RationalFunc
 
 def stencil_over_kernel_values(readings: Readings, side: str) -> tuple[Stencil, RationalFunctions]:
     """The same for any kernel, in phi(0), phi(z) with z = 1/R, phi' = z g, phi'' = c, and for SCNI phi(z/2), phi(3z/2)."""
-    z = 1 / SAMPLES[side]
-    places = {Fraction(0): "0", z: "1"}
+    labels = ["0", "1"]
     if readings.integration == "scni":
-        places |= {z / 2: "half", **({3 * z / 2: "threehalf"} if side == "high" else {})}
-    sample: dict[str, Any] = {"z_1": z, "s": "1/7", "Q": "1/3"}
-    for place, label in places.items():
-        sample |= {f"p_{label}": 1 - place, f"g_{label}": -1, f"c_{label}": 1}
-        if place:
-            sample |= {f"z_{label}": place}
-    K = RationalFunctions(sample)
-    base = Base(
-        1 / K.generator("z_1"),
-        readings,
-        K.generator("s"),
-        K.generator("Q"),
-        kernel=cast(Kernel, named_kernel(K, places)),
-    )
+        labels += ["half", "threehalf"] if side == "high" else ["half"]
+    # Smoothed gradients are differences of Psi: without N no phi'' enters, and fewer names make shorter work.
+    curvature = readings.integration == "dni" or readings.convection != "none"
+    sample: dict[str, Any] = {"z_1": 1 / SAMPLES[side], "s": "1/7", "Q": "1/3"}
+    K = RationalFunctions(sample | sample_of_kernel(labels, curvature))
+    R, s, Q = 1 / K.generator("z_1"), K.generator("s"), K.generator("Q")
+    base = Base(R, readings, s, Q, kernel=cast(Kernel, kernel_by_values(K, labels)))
     return linearise(base, K).stencil, K
 
 
@@ -91,45 +69,95 @@ def geometric_factor(stencil: Stencil, K: RationalFunctions) -> sympy.Expr:
 
 _PATTERN = {-2: (-1, 4), -1: (1, 1), 0: (-3, 2), 1: (1, 1), 2: (-1, 4)}
 
+Make = Callable[[Readings, str], tuple[Stencil, RationalFunctions]]
 
-def closed_forms(readings: Readings, side: str) -> list[ClosedForm]:
-    """Every coefficient of the stencil that is not zero, as a function of R (cubic kernel), s and Q; shifts >= 0."""
-    stencil, _ = stencil_over_R(readings, side)
-    return [
-        ClosedForm(
-            readings.integration,
-            readings.derivative,
-            readings.convection,
-            side,
-            rate,
-            variable,
-            n,
-            sympy.factor(c.as_expr()),
-        )
-        for (rate, variable), coefficients in stencil.items()
-        for n, c in coefficients.items()
-        if n >= 0
-    ]
+
+def convective_part(
+    convection: Convection, side: str, make: Make = stencil_over_R
+) -> tuple[Stencil, RationalFunctions]:
+    """What N adds to v': the stencil with N less the one without; taken with the shortest readings.
+
+    N is built from Psi and Psi* alone, so that integration and derivative do not enter; `largest_error` confirms it.
+    """
+    with_term, K = make(Readings("dni", convection, "diffuse"), side)
+    without, _ = make(Readings("dni", "none", "diffuse"), side)
+    added = {("v", variable): _less(with_term["v", variable], without["v", variable], K) for variable in ("x", "v")}
+    return added, K
+
+
+def _less(one: dict[int, Any], other: dict[int, Any], K: RationalFunctions) -> dict[int, Any]:
+    gaps: dict[int, Any] = {n: K.zero() for n in sorted({*one, *other})}
+    for n, c in one.items():
+        gaps[n] = gaps[n] + c
+    for n, c in other.items():
+        gaps[n] = gaps[n] - c
+    return {n: gap for n, gap in gaps.items() if not K.is_zero(gap)}
+
+
+def together(stress: Stencil, convective: Stencil, K: RationalFunctions) -> Stencil:
+    """The stencil with the stress part and the convective part added up."""
+    added = {key: _less(values, {}, K) for key, values in stress.items()}
+    for key, values in convective.items():
+        added[key] = _less(added[key], {n: -c for n, c in values.items()}, K)
+    return added
+
+
+def random_ratios(side: str, count: int, seed: int) -> list[Fraction]:
+    """Support ratios with the denominator 10^9 + 7, drawn evenly from the inside of a side's range."""
+    low, high = RANGES[side]
+    whole = 10**9 + 7
+    first, last = int(low * whole) + 1, int(high * whole)
+    return [Fraction(int(n), whole) for n in np.random.default_rng(seed).integers(first, last, size=count)]
 
 
 def largest_error(
-    readings: Readings, side: str, ratios: list[Fraction], s: Fraction, Q: Fraction, digits: int
+    readings: Readings,
+    side: str,
+    ratios: Sequence[Fraction],
+    s: Fraction,
+    Q: Fraction,
+    digits: int,
+    forms: Stencil | None = None,
 ) -> float:
-    """The largest difference of the closed forms from the linearisation at many digits, at the given R."""
+    """The largest difference of the closed forms from the linearisation at many digits, at the given R.
+
+    forms: those to be checked, over R; by default those of these readings on this side.
+    """
     K = Multiprecision(digits)
-    stencil, field = stencil_over_R(readings, side)
+    at = values_over_R(stencil_over_R(readings, side)[0] if forms is None else forms, s, Q)
     worst = K.zero()
     for R in ratios:
-        numbers = linearise(Base(R, readings, s, Q), K).stencil
-        point = RationalFunctions({"R": R, "s": s, "Q": Q})
-        for key, coefficients in numbers.items():
-            for n in coefficients.keys() | stencil[key].keys():
-                exact = _value(stencil[key][n], field, point) if n in stencil[key] else Fraction(0)
-                worst = max(worst, K.absolute(coefficients.get(n, K.zero()) - K.number(exact)))
+        exact = at(R)
+        for key, numbers in linearise(Base(R, readings, s, Q), K).stencil.items():
+            known = exact[key]
+            for n in numbers.keys() | known.keys():
+                gap = numbers.get(n, K.zero()) - K.number(known.get(n, Fraction(0)))
+                worst = max(worst, K.absolute(gap))
     return float(worst)
 
 
-def _value(element: Any, field: RationalFunctions, point: RationalFunctions) -> Fraction:
-    moved = RationalFunctions.__new__(RationalFunctions)
-    moved.sample, moved.field = point.sample, field.field
-    return moved.witness(element)
+def values_over_R(stencil: Stencil, s: Fraction, Q: Fraction) -> Callable[[Fraction], Stencil]:
+    """R -> the stencil's coefficients at these s and Q, exactly."""
+    each = {key: {n: _ratio_over_R(c, s, Q) for n, c in values.items()} for key, values in stencil.items()}
+    return lambda R: {key: {n: at(R) for n, at in values.items()} for key, values in each.items()}
+
+
+def _ratio_over_R(element: Any, s: Fraction, Q: Fraction) -> Callable[[Fraction], Fraction]:
+    """R -> the value of an element of the field at these s and Q, exactly."""
+    above, below = (_polynomial_in_R(part, s, Q) for part in (element.numer, element.denom))
+    return lambda R: _horner(above, R) / _horner(below, R)
+
+
+def _polynomial_in_R(part: Any, s: Fraction, Q: Fraction) -> list[Fraction]:
+    """Coefficients of the powers of R, the highest first."""
+    powers: dict[int, Fraction] = {}
+    for (i, j, k), c in part.terms():
+        powers[i] = powers.get(i, Fraction(0)) + Fraction(int(c.numerator), int(c.denominator)) * s**j * Q**k
+    return [powers.get(i, Fraction(0)) for i in range(max(powers, default=0), -1, -1)]
+
+
+def _horner(coefficients: list[Fraction], R: Fraction) -> Fraction:
+    total = Fraction(0)
+    for c in coefficients:
+        total = total * R + c
+    return total

@@ -100,6 +100,10 @@ def _dispersion(parser: ArgumentParser) -> None:
     readings.add_argument(
         "--cell-measure", default="edges", metavar="NAME", help="edges, material or fixed (default edges)"
     )
+    readings.add_argument(
+        "--support-radius", default="fixed", metavar="NAME", help="fixed, or spacing: R times it (default fixed)"
+    )
+    readings.add_argument("--mass", default="lumped", metavar="NAME", help="lumped or consistent (default lumped)")
     _kernel_and_order(parser)
     parser.add_argument("--arithmetic", default="float", metavar="NAME", help="float or mp:DIGITS (default float)")
     where = parser.add_mutually_exclusive_group()

@@ -31,6 +31,8 @@ def dispersion(options: Namespace) -> int:
         node_motion=options.node_motion,
         cell_edges=options.cell_edges,
         cell_measure=options.cell_measure,
+        support_radius=options.support_radius,
+        mass=options.mass,
         kernel=options.kernel,
         order=options.order,
         layer=options.layer,

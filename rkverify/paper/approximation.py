@@ -52,9 +52,10 @@ class Approximation:
         """The point with these coordinates, as numbers of this approximation's arithmetic."""
         return tuple(self.K.number(c) for c in coordinates)
 
-    def at(self, positions: Sequence[Vector]) -> "Approximation":
-        """The same approximation with its nodes at other positions."""
-        return Approximation(tuple(positions), self.supports, self.kernel, self.order, self.K)
+    def at(self, positions: Sequence[Vector], supports: Sequence[Scalar] | None = None) -> "Approximation":
+        """The same approximation with its nodes at other positions, and with other supports where these change too."""
+        radii = self.supports if supports is None else tuple(supports)
+        return Approximation(tuple(positions), radii, self.kernel, self.order, self.K)
 
 
 def approximation(

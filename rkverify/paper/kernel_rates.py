@@ -48,6 +48,12 @@ def phi_rate(A: Approximation, x: Vector, node: int, w: Vector) -> Scalar:
     return _at_its_node(A, x, node, g * dot(A.offset(x, node), w) / A.supports[node] ** 2, 0)
 
 
+def seen_by_the_kernel(A: Approximation, x: Vector, node: int, w: Vector, support_rate: Scalar) -> Vector:
+    """w - (x - x_I) a_I'/a_I: phi is a function of (x - x_I)/a_I, and sees a growing support as an approach."""
+    share = support_rate / A.supports[node]
+    return tuple(c - y * share for c, y in zip(w, A.offset(x, node), strict=True))
+
+
 def phi_second_rate(A: Approximation, x: Vector, node: int, u: Vector, w: Vector) -> Scalar:
     """The second derivative of phi_a(x - x_I) along u and w.
 

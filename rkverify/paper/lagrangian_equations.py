@@ -1,7 +1,7 @@
 """Section 4.1: the semi-discrete Lagrangian equations in one dimension, (48)-(58), with SCNI or DNI."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from rkverify.arithmetic.base import Arithmetic, Scalar
 from rkverify.paper.approximation import Approximation
@@ -18,6 +18,7 @@ class LagrangianChain:
     """A bar: gradients b_I^L and cells Omega_L by their number L, density rho_0 (mass per length), modulus C^SE.
 
     prestress: the S that the bar carries where F = stretch, so that S = prestress + C^SE (E(F) - E(stretch)) (54).
+    shapes: Psi_I(X_L) by L, where the consistent mass or loads are wanted.
     """
 
     gradients: Mapping[int, Values]
@@ -27,6 +28,7 @@ class LagrangianChain:
     prestress: Scalar
     stretch: Scalar
     K: Arithmetic
+    shapes: Mapping[int, Values] = field(default_factory=dict)
 
     def deformation_gradient(self, L: int, positions: Sequence[Scalar]) -> Scalar:
         """F at a cell: sum_I b_I^L x_I, which is 1 + sum_I b_I^L u_I (14), (16)."""
@@ -47,9 +49,39 @@ class LagrangianChain:
                 total = total + b[node] * self.stress(self.deformation_gradient(L, positions)) * cell.measure
         return total
 
-    @equation(48, 56)
+    def stored_energy(self, positions: Sequence[Scalar]) -> Scalar:
+        """sum_L w(F_L) A_L with dw/dF = P: w = (prestress - C^SE E(stretch)) E + C^SE E^2 / 2."""
+        total = self.K.zero()
+        for L, cell in self.cells.items():
+            E = green_strain(self.deformation_gradient(L, positions))
+            held = self.prestress - self.modulus * green_strain(self.stretch)
+            total = total + (held * E + self.modulus * E * E / 2) * cell.measure
+        return total
+
+    @equation(50)
+    def external_force(self, node: int, b0: Scalar, h0: Scalar, at_boundary: Values) -> Scalar:
+        """f_I = sum_L Psi_I(X_L) b0 A_L + Psi_I(X_h) h0   (50), integrated at the nodes; at_boundary: Psi_I(X_h)."""
+        total = at_boundary.get(node, self.K.zero()) * h0
+        for L, cell in self.cells.items():
+            total = total + self.shapes[L].get(node, self.K.zero()) * b0 * cell.measure
+        return total
+
+    @equation(48)
+    def residual(
+        self, node: int, positions: Sequence[Scalar], accelerations: Sequence[Scalar], external: Scalar
+    ) -> Scalar:
+        """sum_J M_IJ u_J'' + f_int - f_ext   (48), with M_IJ = sum_L rho_0 Psi_I(X_L) Psi_J(X_L) A_L."""
+        total = self.internal_force(node, positions) - external
+        for L, cell in self.cells.items():
+            Psi = self.shapes[L]
+            if node in Psi:
+                carried = sum((value * accelerations[J] for J, value in Psi.items()), self.K.zero())
+                total = total + self.rho_0 * Psi[node] * carried * cell.measure
+        return total
+
+    @equation(56)
     def acceleration(self, node: int, positions: Sequence[Scalar]) -> Scalar:
-        """u_I'' = -f_I / m_I with the lumped mass m_I = rho_0 A_I and no external force   (48), (56)."""
+        """u_I'' = -f_I / m_I with the lumped mass m_I = rho_0 A_I and no external force   (56)."""
         return -self.internal_force(node, positions) / (self.rho_0 * self.cells[node].measure)
 
 

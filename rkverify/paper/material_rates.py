@@ -4,7 +4,8 @@ from collections.abc import Sequence
 
 from rkverify.arithmetic.base import Scalar
 from rkverify.paper.approximation import Approximation, Vector
-from rkverify.paper.kernel_rates import minus, semi_lagrangian_kernel_rate
+from rkverify.paper.kernel_rates import minus, phi_rate, seen_by_the_kernel, semi_lagrangian_kernel_rate
+from rkverify.paper.moment import Rates
 from rkverify.paper.numbered import equation
 from rkverify.paper.shape import Values, correction, field, shape_functions, shape_rates
 
@@ -24,6 +25,28 @@ def psi_star(A: Approximation, x: Vector, v: Vector, node_velocities: Sequence[V
 def true_rate(A: Approximation, x: Vector, v: Vector, node_velocities: Sequence[Vector]) -> Values:
     """The material derivative of Psi_I(x), with the rate of C that (40) leaves out; 1/time."""
     return shape_rates(A, x, lambda I: minus(v, node_velocities[I]))
+
+
+def psi_star_of_changing_supports(
+    A: Approximation, x: Vector, v: Vector, node_velocities: Sequence[Vector], support_rates: Sequence[Scalar]
+) -> Values:
+    """C(x; x - x_I) times the material rate of phi_a where a_I changes too, which (70) leaves open; 1/time."""
+    seen = _seen(A, x, v, node_velocities, support_rates)
+    return {I: correction(A, x, A.offset(x, I)) * phi_rate(A, x, I, seen(I)) for I in A.neighbours(x)}
+
+
+def true_rate_of_changing_supports(
+    A: Approximation, x: Vector, v: Vector, node_velocities: Sequence[Vector], support_rates: Sequence[Scalar]
+) -> Values:
+    """The material derivative of Psi_I(x) where the supports change too; 1/time."""
+    seen = _seen(A, x, v, node_velocities, support_rates)
+    return shape_rates(A, x, lambda I: minus(v, node_velocities[I]), w_kernel=seen)
+
+
+def _seen(
+    A: Approximation, x: Vector, v: Vector, node_velocities: Sequence[Vector], support_rates: Sequence[Scalar]
+) -> Rates:
+    return lambda I: seen_by_the_kernel(A, x, I, minus(v, node_velocities[I]), support_rates[I])
 
 
 @equation(39)

@@ -44,14 +44,17 @@ def moment_matrix(A: Approximation, x: Vector) -> Matrix:
     return _sum_of_outer_products(A, terms)
 
 
-def moment_rate(A: Approximation, x: Vector, w: Rates) -> Matrix:
-    """dM/dt where each x - x_I changes at the rate w(I), by the product rule."""
+def moment_rate(A: Approximation, x: Vector, w: Rates, w_kernel: Rates | None = None) -> Matrix:
+    """dM/dt where each x - x_I changes at the rate w(I), by the product rule.
+
+    w_kernel: the rate that the kernel sees where it is not w (`kernel_rates.seen_by_the_kernel`).
+    """
     terms = []
     for node in A.neighbours(x):
         y = A.offset(x, node)
         H, dH = basis(y, A.order, A.K), basis_rate(y, w(node), A.order, A.K)
         weight = phi(A, x, node)
-        terms += [(dH, H, weight), (H, dH, weight), (H, H, phi_rate(A, x, node, w(node)))]
+        terms += [(dH, H, weight), (H, dH, weight), (H, H, phi_rate(A, x, node, (w_kernel or w)(node)))]
     return _sum_of_outer_products(A, terms)
 
 
@@ -124,9 +127,11 @@ def coefficients(A: Approximation, x: Vector, right: list[Scalar] | None = None)
     return solve(A, x, moment_matrix(A, x), at_origin(A) if right is None else right)
 
 
-def coefficients_rate(A: Approximation, x: Vector, w: Rates, right: list[Scalar] | None = None) -> list[Scalar]:
+def coefficients_rate(
+    A: Approximation, x: Vector, w: Rates, right: list[Scalar] | None = None, w_kernel: Rates | None = None
+) -> list[Scalar]:
     """db/dt where each x - x_I changes at the rate w(I): M db/dt = -dM/dt b."""
-    known = times(moment_rate(A, x, w), coefficients(A, x, right))
+    known = times(moment_rate(A, x, w, w_kernel), coefficients(A, x, right))
     return solve(A, x, moment_matrix(A, x), [-k for k in known])
 
 

@@ -1,6 +1,9 @@
-"""The perturbed equations (57), (58), (60) and (73), (74): coefficients of the perturbations of nodes around node I."""
+"""The perturbed equations (57), (58), (60), (73), (74): coefficients of the perturbations of nodes around node I."""
+
+from collections.abc import Sequence
 
 from rkverify.arithmetic.base import Scalar
+from rkverify.arithmetic.dual import Dual
 from rkverify.paper.approximation import Approximation, middle
 from rkverify.paper.kernel_rates import direction, phi_rate
 from rkverify.paper.numbered import equation
@@ -33,14 +36,27 @@ def _star(A: Approximation, J: int, at: int, Q: Scalar, with_direction: bool) ->
     return star if with_direction else star * direction(A, x, J)[0]
 
 
-@equation(73, 74)
+@equation(73)
+def perturbed_force(N: dict[int, Dual], v: Sequence[Dual], force: Dual) -> Dual:
+    """sum_J N~_IJ v_J + sum_J N_IJ v~_J + f~_I: what balances -m_I v~_I' where the perturbation of m_I is neglected   (73).
+
+    N, v, force: values of the base, with the derivatives along every perturbation as slopes.
+    """
+    total = Dual(force.value * 0, force.slopes, force.size)
+    for J, entry in N.items():
+        total = total + Dual(force.value * 0, entry.slopes, force.size) * v[J].value
+        total = total + Dual(force.value * 0, v[J].slopes, force.size) * entry.value
+    return total
+
+
+@equation(74)
 def convective_terms(
     A: Approximation, Q: Scalar, with_direction: bool = True, with_varied_rate: bool = False
 ) -> tuple[Coefficients, Coefficients]:
     """sum_J N~_IJ v_J + sum_J N_IJ v~_J over the nodal mass: coefficients of the displacements and of the velocities.
 
-    The base is v = Q x on the lattice A, and Psi_I is varied through its kernel with C held. (73) has both parts of N~,
-    (74) has no Psi_I Psi~*_J: with_varied_rate adds what velocities do there. with_direction: n of (71) kept.
+    The base is v = Q x on the lattice A, and Psi_I is varied through its kernel with C held. (74) has no
+    Psi_I Psi~*_J: with_varied_rate adds what velocities do there. with_direction: n of (71) kept.
     """
     I = middle(A)
     displacement: Coefficients = {}

@@ -11,7 +11,12 @@ from rkverify.arithmetic.base import Scalar
 from rkverify.paper.approximation import Approximation, Vector
 from rkverify.paper.cells import Cell
 from rkverify.paper.gradients import direct_gradient, smoothed_gradient
-from rkverify.paper.material_rates import psi_star, true_rate
+from rkverify.paper.material_rates import (
+    psi_star,
+    psi_star_of_changing_supports,
+    true_rate,
+    true_rate_of_changing_supports,
+)
 from rkverify.paper.numbered import equation
 from rkverify.paper.shape import Values, field, shape_functions
 from rkverify.readings import Readings
@@ -35,7 +40,8 @@ class ChainState:
 class SemiLagrangianChain:
     """A bar: approximation data (kernel, supports, order), modulus C^sigma, cell masses m_K, readings.
 
-    origin: the X_J from which the displacements u_J = x_J - X_J of the literal stress (69) count.
+    origin: the X_J from which the displacements u_J = x_J - X_J of the literal stress (69) count. support_ratio: the R
+    of supports that follow the spacing.
     """
 
     A: Approximation
@@ -43,10 +49,18 @@ class SemiLagrangianChain:
     masses: Sequence[Scalar]
     readings: Readings
     origin: Sequence[Scalar] = ()
+    support_ratio: Scalar = 0
 
     def on(self, state: ChainState) -> Approximation:
         """The approximation on the current positions (26)."""
-        return self.A.at([(x,) for x in state.positions])
+        supports = None if self.readings.support_radius == "fixed" else self.following_spacing(state.positions)
+        return self.A.at([(x,) for x in state.positions], supports)
+
+    def following_spacing(self, values: Sequence[Scalar]) -> list[Scalar]:
+        """R (x_(I+1) - x_(I-1)) / 2 for positions, and its rate for velocities; one-sided at the ends."""
+        last = len(values) - 1
+        reach = [(max(I - 1, 0), min(I + 1, last)) for I in range(last + 1)]
+        return [self.support_ratio * (values[j] - values[i]) / (j - i) for i, j in reach]
 
     def edge(self, K: int, state: ChainState) -> Scalar:
         """x_K^+, the right end of cell K."""
@@ -125,23 +139,44 @@ class SemiLagrangianChain:
         A = self.on(state)
         v: Vector = (self.material_velocity(K, state),)
         each = [(w,) for w in state.velocities]
+        if self.readings.support_radius == "spacing":
+            growth = self.following_spacing(state.velocities)
+            changing = (
+                true_rate_of_changing_supports if self.readings.convection == "true" else psi_star_of_changing_supports
+            )
+            return changing(A, A.nodes[K], v, each, growth)
         if self.readings.convection == "true":
             return true_rate(A, A.nodes[K], v, each)
         return psi_star(A, A.nodes[K], v, each)
 
     @equation(66)
-    def convective_force(self, node: int, state: ChainState, cells: Sequence[int]) -> Scalar:
-        """sum_J N_IJ v_J with N_IJ = sum_K rho(x_K) Psi_I(x_K) Psi*_J(x_K) a_K   (66)."""
-        total = self.A.K.zero()
+    def convective_matrix(self, node: int, state: ChainState, cells: Sequence[int]) -> Values:
+        """N_IJ = sum_K rho(x_K) Psi_I(x_K) Psi*_J(x_K) a_K for all J   (66)."""
+        row: Values = {}
         if self.readings.convection == "none":
-            return total
+            return row
         A = self.on(state)
         for K in cells:
             Psi = shape_functions(A, A.nodes[K])
-            if node in Psi:
-                carried = sum((rate * state.velocities[J] for J, rate in self.rates(K, state).items()), self.A.K.zero())
-                total = total + self.masses[K] * Psi[node] * carried
-        return total
+            for J, rate in self.rates(K, state).items() if node in Psi else ():
+                row[J] = row.get(J, A.K.zero()) + self.masses[K] * Psi[node] * rate
+        return row
+
+    def convective_force(self, node: int, state: ChainState, cells: Sequence[int]) -> Scalar:
+        """sum_J N_IJ v_J, the second term of (65)."""
+        row = self.convective_matrix(node, state, cells)
+        return sum((N * state.velocities[J] for J, N in row.items()), self.A.K.zero())
+
+    @equation(42)
+    def consistent_mass(self, node: int, state: ChainState, cells: Sequence[int]) -> Values:
+        """M_IJ = sum_K rho(x_K) Psi_I(x_K) Psi_J(x_K) a_K for all J, (42) integrated at the nodes."""
+        A = self.on(state)
+        row: Values = {}
+        for K in cells:
+            Psi = shape_functions(A, A.nodes[K])
+            for J, value in Psi.items() if node in Psi else ():
+                row[J] = row.get(J, A.K.zero()) + self.masses[K] * Psi[node] * value
+        return row
 
     def lumped_mass(self, node: int, state: ChainState, cells: Sequence[int]) -> Scalar:
         """m_I = sum_K rho(x_K) Psi_I(x_K) a_K, the row sum of (42)."""
@@ -158,3 +193,10 @@ class SemiLagrangianChain:
         """v_I' = -(f_I + sum_J N_IJ v_J) / m_I without external force   (65)."""
         force = self.internal_force(node, state, cells) + self.convective_force(node, state, cells)
         return -force / self.lumped_mass(node, state, cells)
+
+    @equation(41)
+    def residual(self, node: int, state: ChainState, cells: Sequence[int], accelerations: Sequence[Scalar]) -> Scalar:
+        """sum_J M_IJ v_J' + sum_J N_IJ v_J + f_I, zero where (41) without external force holds."""
+        force = self.internal_force(node, state, cells) + self.convective_force(node, state, cells)
+        inertia = self.consistent_mass(node, state, cells)
+        return force + sum((M * accelerations[J] for J, M in inertia.items()), self.A.K.zero())

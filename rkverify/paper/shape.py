@@ -60,17 +60,20 @@ def reproducing_residual(A: Approximation, x: Vector, alpha: MultiIndex) -> Scal
     return field(A, x, known) - monomial(x, alpha, A.K)
 
 
-def shape_rates(A: Approximation, x: Vector, w: Rates, right: list[Scalar] | None = None) -> Values:
+def shape_rates(
+    A: Approximation, x: Vector, w: Rates, right: list[Scalar] | None = None, w_kernel: Rates | None = None
+) -> Values:
     """The rate of every Psi_I where each x - x_I changes at the rate w(I): db.H phi + b.dH phi + b.H dphi.
 
-    With another `right` than H(0): the rate of the row of M^-1 H phi that it picks.
+    With another `right` than H(0): the rate of the row of M^-1 H phi that it picks. w_kernel: the rate that the
+    kernel sees where it is not w, as when supports change.
     """
-    b, db = coefficients(A, x, right), coefficients_rate(A, x, w, right)
+    b, db = coefficients(A, x, right), coefficients_rate(A, x, w, right, w_kernel)
     rates = {}
     for I in A.neighbours(x):
         y = A.offset(x, I)
         H, dH = basis(y, A.order, A.K), basis_rate(y, w(I), A.order, A.K)
-        rates[I] = (inner(db, H) + inner(b, dH)) * phi(A, x, I) + inner(b, H) * phi_rate(A, x, I, w(I))
+        rates[I] = (inner(db, H) + inner(b, dH)) * phi(A, x, I) + inner(b, H) * phi_rate(A, x, I, (w_kernel or w)(I))
     return rates
 
 

@@ -12,13 +12,18 @@ from latex2mathml.converter import convert
 from markupsafe import Markup
 
 from rkverify.ledger.entries import entries, transcriptions
-from rkverify.ledger.states import FAILS, HOLDS, READING, STATES, Evidence, State, counts, read_evidence, state
+from rkverify.ledger.states import FAILS, HOLDS, MIXED, READING, STATES, Evidence, State, counts, read_evidence, state
 from rkverify.paths import Checkout
 from rkverify.workflow import manifest, records
 from rkverify.workflow.discovery import study_names
 
 CSS = dict(zip(STATES, ("holds", "reading", "fails", "mixed", "definition", "undecidable", "open"), strict=True))
 PARTS = {"E": "Equations", "F": "Figures", "C": "Claims"}
+
+
+def state_css(word: str) -> str:
+    """The style of a state, none for an entry that needs no verdict there."""
+    return CSS.get(word, "")
 
 
 @cache
@@ -169,25 +174,16 @@ def count_rows(site: Site) -> list[dict[str, Any]]:
 
 
 def findings(site: Site) -> list[dict[str, Any]]:
-    """The statements that fail, with the entries that they are about; a failing reading that another saves comes last."""
+    """The entries that fail, differ between layers or hold under a reading only, the plainest first."""
+    order = (FAILS, MIXED, READING)
     found = []
-    for e in site.evidence:
-        if e.holds is False:
-            states = [site.states[name].layers.get(e.layer, site.states[name].name) for name in e.about]
-            word = READING if all(s.startswith(READING) for s in states) else FAILS
-            where = ", ".join(filter(None, [e.layer, e.reading]))
+    for name, e in entries().items():
+        s = site.states[name]
+        if s.name in order:
             found.append(
-                {
-                    "about": e.about,
-                    "state": word,
-                    "css": CSS[word],
-                    "says": e.says,
-                    "where": where,
-                    "study": e.study,
-                    "name": e.name,
-                }
+                {"id": name, "state": s.name, "css": CSS[s.name], "statement": e.statement, "detail": s.detail}
             )
-    return sorted(found, key=lambda f: f["state"] != FAILS)
+    return sorted(found, key=lambda f: order.index(f["state"]))
 
 
 def ledger_parts(place: Checkout, site: Site) -> list[dict[str, Any]]:

@@ -7,11 +7,12 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from rkverify.paths import Checkout
 from rkverify.report.content import count_rows, findings, gather, ledger_parts
+from rkverify.report.stability import LAYERS, claims_by_layer, plan, sections
 from rkverify.workflow.files import write_atomically
 
 
 def build(place: Checkout) -> Path:
-    """Write index.html, ledger.html, a page for each study and the style sheet; returns the front page.
+    """Write index.html, ledger.html, stability.html, a page for each study and the style sheet; returns the front page.
 
     Raises BadInput where a study has no results, or the folder cannot be written.
     """
@@ -23,7 +24,9 @@ def build(place: Checkout) -> Path:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    templates = {name: environment.get_template(f"{name}.html.j2") for name in ("index", "ledger", "study")}
+    templates = {
+        name: environment.get_template(f"{name}.html.j2") for name in ("index", "ledger", "stability", "study")
+    }
     foot = site.studies[0].foot
     pages = {
         "index": templates["index"].render(
@@ -40,6 +43,16 @@ def build(place: Checkout) -> Path:
             page="ledger", title="Ledger", studies=site.studies, parts=ledger_parts(place, site), foot=foot
         ),
     }
+    pages["stability"] = templates["stability"].render(
+        page="stability",
+        title="Stability",
+        studies=site.studies,
+        lead=plan()["lead"],
+        layers=LAYERS,
+        claims=claims_by_layer(site.states),
+        sections=sections(place, site),
+        foot=foot,
+    )
     for study in site.studies:
         pages[study.name] = templates["study"].render(
             page=study.name, title=study.title, studies=site.studies, study=study, foot=study.foot

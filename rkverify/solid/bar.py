@@ -5,26 +5,31 @@ from dataclasses import dataclass
 import numpy as np
 
 from rkverify.kernels import Kernel
-from rkverify.readings import Derivative, Integration
+from rkverify.readings import Derivative, Integration, Mass
 from rkverify.solid.kernel_values import Array
 from rkverify.solid.line import line
 
 
 @dataclass(frozen=True)
 class Bar:
-    """A periodic bar of evenly spaced nodes; stretch and prestress S are those of the base state; rho_0 = 1."""
+    """A periodic bar of evenly spaced nodes; stretch and prestress S are those of the base state; rho_0 = 1.
+
+    mass (nodes, nodes): the consistent mass over the lumped one; None for the lumped mass itself.
+    """
 
     gradients: Array
     spacing: float
     modulus: float
     prestress: float
     stretch: float
+    mass: Array | None = None
 
     def acceleration(self, displacements: Array) -> Array:
         """u'' of every node for displacements from the stretched state (N,), real or complex."""
         F = self.stretch + self.gradients @ displacements
         S = self.prestress + self.modulus * (F * F - self.stretch**2) / 2
-        return -(self.gradients.T @ (S * F))
+        force = -(self.gradients.T @ (S * F))
+        return force if self.mass is None else np.linalg.solve(self.mass, force)
 
 
 def periodic_bar(
@@ -36,6 +41,7 @@ def periodic_bar(
     kernel: Kernel,
     order: int,
     state: tuple[float, float, float],
+    mass: Mass = "lumped",
 ) -> Bar:
     """A bar of `count` nodes; state is (modulus, prestress, stretch)."""
     X = np.arange(count) * spacing
@@ -51,4 +57,5 @@ def periodic_bar(
         B = (ends[0] - ends[1]) / spacing
     else:
         B = line(at(X), supports, kernel, order).gradient(derivative)
-    return Bar(B, spacing, *state)
+    Psi = line(at(X), supports, kernel, order).shape()
+    return Bar(B, spacing, *state, Psi.T @ Psi if mass == "consistent" else None)

@@ -18,7 +18,8 @@ from rkverify.solid.line import Line, line
 class Chain:
     """Support radius a (length), modulus (stress), cell masses (N,), kernel, order, readings; period None if finite.
 
-    origin (N,): the X_J from which the literal stress (69) counts displacements, with its own period.
+    origin (N,): the X_J from which the literal stress (69) counts displacements, with its own period. support_ratio:
+    the R of supports that follow the spacing. external (N,): nodal forces.
     """
 
     support: float
@@ -30,6 +31,8 @@ class Chain:
     periodic: bool
     origin: Array | None = None
     origin_period: float = 0.0
+    support_ratio: float = 0.0
+    external: Array | float = 0.0
 
 
 @dataclass(frozen=True)
@@ -57,9 +60,24 @@ class _At:
 def _at(chain: Chain, motion: Motion, points: Array) -> _At:
     y = points[:, None] - motion.x[None, :]
     images = np.round(y.real / motion.period) if chain.periodic else np.zeros(y.shape)
-    supports = np.full(len(motion.x), chain.support)
+    supports = _supports(chain, motion)
     near = line(y - images * motion.period, supports, chain.kernel, chain.order)
     return _At(near, images, motion.v[None, :] + images * motion.period_rate)
+
+
+def _following_spacing(chain: Chain, values: Array, period: float) -> Array:
+    """R times half the distance between the neighbours, of positions; or its rate, of velocities; one-sided at free ends."""
+    if chain.periodic:
+        after, before = np.roll(values, -1), np.roll(values, 1)
+        after[-1], before[0] = after[-1] + period, before[0] - period
+        return chain.support_ratio * (after - before) / 2
+    return chain.support_ratio * np.gradient(values)
+
+
+def _supports(chain: Chain, motion: Motion) -> Array:
+    if chain.readings.support_radius == "fixed":
+        return np.full(len(motion.x), chain.support)
+    return _following_spacing(chain, motion.x, motion.period)
 
 
 def _cells(chain: Chain, motion: Motion) -> tuple[Array, Array]:
@@ -117,7 +135,11 @@ def rates(chain: Chain, motion: Motion) -> Rates:
     convective = np.zeros_like(internal)
     if r.convection != "none":
         w = x_rate[:, None] - here.v
-        carried = here.line.kernel_rate(w) if r.convection == "psi-star" else here.line.rate(w)
+        seen = w
+        if r.support_radius == "spacing":
+            growth = _following_spacing(chain, motion.v, motion.period_rate) / _supports(chain, motion)
+            seen = w - here.line.y * growth[None, :]
+        carried = here.line.kernel_rate(seen) if r.convection == "psi-star" else here.line.rate(w, seen)
         own, total = (carried * here.v).sum(axis=1), carried.sum(axis=1)
         # Node I sees the image of cell K that is nearest to it: all velocities there are lower by as many period rates
         # as the image of I near K is periods away. It matters unless the carried rates sum to zero.
@@ -128,10 +150,11 @@ def rates(chain: Chain, motion: Motion) -> Rates:
     if r.cell_edges == "material":
         at_edges = _at(chain, motion, motion.edges)
         edge_rate = (at_edges.line.shape() * at_edges.v).sum(axis=1)
+    force = chain.external - internal - convective
     done = replace(
         motion,
         x=x_rate,
-        v=-(internal + convective) / mass,
+        v=force / mass if r.mass == "lumped" else np.linalg.solve(consistent_mass(chain, motion), force),
         stress=tangent * L,
         edges=edge_rate,
         measures=motion.measures * L if r.cell_measure == "material" else np.zeros_like(motion.measures),
@@ -139,6 +162,22 @@ def rates(chain: Chain, motion: Motion) -> Rates:
         period_rate=0.0,
     )
     return Rates(done, internal, convective, mass)
+
+
+def consistent_mass(chain: Chain, motion: Motion) -> Array:
+    """M_IJ = sum_K m_K Psi_I(x_K) Psi_J(x_K) (42) integrated at the nodes (N, N)."""
+    Psi = _at(chain, motion, motion.x).line.shape()
+    return Psi.T @ (chain.masses[:, None] * Psi)
+
+
+def unbalanced(chain: Chain, motion: Motion, accelerations: Array, period_acceleration: float) -> Array:
+    """f_ext - (f_int + N v + M v') with the consistent mass for given accelerations (N,), of whose images each is farther by a period."""
+    here = _at(chain, motion, motion.x)
+    Psi, now = here.line.shape(), rates(chain, motion)
+    # As for N: node I sees the image of cell K that is nearest to it.
+    at_cells = Psi @ accelerations + (Psi * here.images).sum(axis=1) * period_acceleration
+    lower = (Psi * here.images).T @ (chain.masses * Psi.sum(axis=1)) * period_acceleration
+    return chain.external - (now.internal + now.convective + Psi.T @ (chain.masses * at_cells) - lower)
 
 
 def _literal_stress(

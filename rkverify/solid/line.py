@@ -38,12 +38,12 @@ class Line:
         sums = np.stack([(self.y**k * self.phi).sum(axis=1) for k in range(2 * self.order + 1)])
         return self._hankel(sums)
 
-    def moment_rates(self, w: Array) -> Array:
-        """dM/dt where y changes at the rate w (points, nodes)."""
+    def moment_rates(self, w: Array, w_kernel: Array) -> Array:
+        """dM/dt where y changes at the rate w (points, nodes), and for the kernel at the rate w_kernel."""
         sums = []
         for k in range(2 * self.order + 1):
             power_rate = k * self.y ** (k - 1) * w if k else np.zeros_like(self.y)
-            sums.append((power_rate * self.phi + self.y**k * self.slope * w).sum(axis=1))
+            sums.append((power_rate * self.phi + self.y**k * self.slope * w_kernel).sum(axis=1))
         return self._hankel(np.stack(sums))
 
     def _coefficients(self, row: int) -> Array:
@@ -61,11 +61,15 @@ class Line:
         """Psi_J (points, nodes)."""
         return self._polynomial(self._coefficients(0)) * self.phi
 
-    def rate(self, w: Array) -> Array:
-        """The rate of Psi_J where every y changes at the rate w (points, nodes)."""
+    def rate(self, w: Array, w_kernel: Array | None = None) -> Array:
+        """The rate of Psi_J where every y changes at the rate w (points, nodes).
+
+        w_kernel: w - y a'/a where supports change: the kernel is a function of y/a.
+        """
+        seen = w if w_kernel is None else w_kernel
         b = self._coefficients(0)
-        db = -np.linalg.solve(self.moments, self.moment_rates(w) @ b[:, :, None])[:, :, 0]
-        held = self._polynomial(b) * self.slope * w + self._polynomial(b, 1) * w * self.phi
+        db = -np.linalg.solve(self.moments, self.moment_rates(w, seen) @ b[:, :, None])[:, :, 0]
+        held = self._polynomial(b) * self.slope * seen + self._polynomial(b, 1) * w * self.phi
         return self._polynomial(db) * self.phi + held
 
     def kernel_rate(self, w: Array) -> Array:

@@ -1,7 +1,7 @@
 """omega(kh) of a formulation in one layer: printed, as-defined, consistent or simulated; never merged."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from typing import Literal, get_args
 
 from rkverify.arithmetic.base import Arithmetic, Scalar
@@ -20,6 +20,7 @@ Formulation = Literal["lagrangian", "semi-lagrangian"]
 Layer = Literal["printed", "as-defined", "consistent", "simulated"]
 FORMULATIONS: tuple[Formulation, ...] = get_args(Formulation)
 LAYERS: tuple[Layer, ...] = get_args(Layer)
+SEMI_LAGRANGIAN_ONLY = ("stress_law", "node_motion", "cell_edges", "cell_measure", "support_radius")
 
 
 @dataclass(frozen=True)
@@ -31,6 +32,7 @@ class Setting:
     strings such as "3/2", which are exact. layer: `printed` is the formula in print; `as-defined` the linearisation of
     the semi-discrete equations as the paper defines them; `consistent` the same with the true material rate of the shape
     functions; `simulated` what a nonlinear computation shows. The readings (`Readings`) count in the last three.
+    (75)-(87) are printed for 1 < R < 2; for another R they are evaluated as they stand.
     """
 
     formulation: Formulation
@@ -48,6 +50,8 @@ class Setting:
     node_motion: Literal["coefficient", "field"] = "coefficient"
     cell_edges: Literal["voronoi", "material", "fixed"] = "voronoi"
     cell_measure: Literal["edges", "material", "fixed"] = "edges"
+    support_radius: Literal["fixed", "spacing"] = "fixed"
+    mass: Literal["lumped", "consistent"] = "lumped"
     kernel: str = "cubic"
     order: int = 1
     layer: Layer = "printed"
@@ -75,6 +79,8 @@ class Setting:
             self.node_motion,
             self.cell_edges,
             self.cell_measure,
+            self.support_radius,
+            self.mass,
         )
 
     def base(self) -> Base:
@@ -102,6 +108,7 @@ class Setting:
             self.derivative,
             self.kernel,
             self.order,
+            self.mass,
         )
 
 
@@ -146,14 +153,26 @@ def _refuse_strangers(setting: Setting, K: Arithmetic) -> None:
             raise BadInput(
                 "the Lagrangian form knows no velocity of the base: leave --velocity-gradient and --frame-velocity out"
             )
+        _refuse_choices(setting, SEMI_LAGRANGIAN_ONLY, "the Lagrangian form has")
         if setting.integration == "dni" and setting.layer == "printed":
             raise BadInput(
                 "the paper prints no Lagrangian relation with DNI: choose --integration scni or --layer as-defined"
             )
     elif K.sign(K.number(setting.stretch) - 1) != 0:
         raise BadInput("the semi-Lagrangian relations have no stretch F: leave --stretch out")
-    if setting.layer == "printed" and moves(setting.frame_velocity):
-        raise BadInput("the printed relations know no frame: leave --frame-velocity out or choose another layer")
+    if setting.layer == "printed":
+        if moves(setting.frame_velocity):
+            raise BadInput("the printed relations know no frame: leave --frame-velocity out or choose another layer")
+        _refuse_choices(setting, (*SEMI_LAGRANGIAN_ONLY, "mass"), "a printed relation has")
+    else:
+        _refuse_choices(setting, ("half_point",), "a linearisation or simulation has")
+
+
+def _refuse_choices(setting: Setting, names: Sequence[str], what: str) -> None:
+    for field in fields(setting):
+        if field.name in names and getattr(setting, field.name) != field.default:
+            option = field.name.replace("_", "-")
+            raise BadInput(f"{what} no choice of the {option.replace('-', ' ')}: leave --{option} out")
 
 
 def _branches(kh: Scalar, roots: Sequence[Root], D: Scalar | None = None) -> list[Branch]:
@@ -197,8 +216,8 @@ def _semi_lagrangian_printed(setting: Setting, kh: Sequence[Scalar], K: Arithmet
 
 def _linearised(setting: Setting, kh: Sequence[Scalar], K: Arithmetic) -> list[Branch]:
     if setting.formulation == "lagrangian":
-        stencil = lagrangian.stencil(setting.bar(), K)
-        return _undamped(kh, lambda theta: -transform(stencil, theta, K).re, K)
+        stencil, mass = lagrangian.stencil(setting.bar(), K), lagrangian.mass_stencil(setting.bar(), K)
+        return _undamped(kh, lambda theta: -transform(stencil, theta, K).re / transform(mass, theta, K).re, K)
     base = setting.base()
     if isinstance(K, Float):
         found = []

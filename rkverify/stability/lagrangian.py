@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import product
 
 import numpy as np
 
@@ -9,10 +10,11 @@ from rkverify.arithmetic.base import Arithmetic, Scalar
 from rkverify.arithmetic.dual import Duals
 from rkverify.arithmetic.native import rational
 from rkverify.kernels import kernel
-from rkverify.paper.approximation import approximation
+from rkverify.paper.approximation import approximation, lattice, middle
 from rkverify.paper.cells import Cell, lattice_cell
 from rkverify.paper.lagrangian_equations import LagrangianChain, gradient
-from rkverify.readings import Derivative, Integration
+from rkverify.paper.shape import shape_functions
+from rkverify.readings import Derivative, Integration, Mass
 from rkverify.solid.bar import Bar, periodic_bar
 
 
@@ -28,6 +30,7 @@ class StretchedBar:
     derivative: Derivative = "full"
     kernel: str = "cubic"
     order: int = 1
+    mass: Mass = "lumped"
 
     @property
     def reach(self) -> int:
@@ -36,14 +39,14 @@ class StretchedBar:
 
 
 def stencil(base: StretchedBar, K: Arithmetic) -> dict[int, Scalar]:
-    """shift -> derivative of u'' at a node with respect to its neighbour's position, by duals through `paper/`."""
+    """shift -> derivative of -f_I / m_I, which is u'' with the lumped mass, with respect to its neighbour's position, by duals through `paper/`."""
     reach = 2 * base.reach
-    middle = reach + int(rational(base.support_ratio)) + 2
+    centre = reach + int(rational(base.support_ratio)) + 2
     h, F, S = K.number(base.spacing), K.number(base.stretch), K.number(base.stress_ratio)
-    places = [K.number(J) * h for J in range(-middle, middle + 1)]
+    places = [K.number(J) * h for J in range(-centre, centre + 1)]
     A = approximation([[X] for X in places], K.number(base.support_ratio) * h, K, base.kernel, base.order)
     D = Duals(K, 2 * reach + 1)
-    around = range(middle - base.reach, middle + base.reach + 1)
+    around = range(centre - base.reach, centre + base.reach + 1)
     cells = {L: lattice_cell(places[L], h) for L in around}
     each = {L: gradient(A, L, cell, base.integration, base.derivative) for L, cell in cells.items()}
     chain = LagrangianChain(
@@ -56,17 +59,33 @@ def stencil(base: StretchedBar, K: Arithmetic) -> dict[int, Scalar]:
         K=D,
     )
     positions = [
-        D.variable(F * X, J - middle + reach) if abs(J - middle) <= reach else D.number(F * X)
+        D.variable(F * X, J - centre + reach) if abs(J - centre) <= reach else D.number(F * X)
         for J, X in enumerate(places)
     ]
-    slopes = chain.acceleration(middle, positions).partials
+    slopes = chain.acceleration(centre, positions).partials
     return {n: slopes[n + reach] for n in range(-reach, reach + 1)}
+
+
+def mass_stencil(base: StretchedBar, K: Arithmetic) -> dict[int, Scalar]:
+    """shift -> M_IJ / m_I of the mass (19) integrated at the nodes; 1 at shift 0 for the lumped mass."""
+    if base.mass == "lumped":
+        return {0: K.number(1)}
+    A = lattice(base.spacing, base.support_ratio, 2 * base.reach, K, base.kernel, base.order)
+    centre = middle(A)
+    # Psi_I is even about its node and the same for every node, so that M is Psi folded with itself.
+    Psi = {J - centre: value for J, value in shape_functions(A, A.nodes[centre]).items()}
+    row: dict[int, Scalar] = {}
+    for (i, p), (j, q) in product(Psi.items(), Psi.items()):
+        row[i + j] = row.get(i + j, K.zero()) + p * q
+    return row
 
 
 def bar(base: StretchedBar, count: int) -> Bar:
     """The same bar by the other route, periodic."""
     R, S, F, h = (float(rational(q)) for q in (base.support_ratio, base.stress_ratio, base.stretch, base.spacing))
-    return periodic_bar(count, h, R, base.integration, base.derivative, kernel(base.kernel), base.order, (1.0, S, F))
+    return periodic_bar(
+        count, h, R, base.integration, base.derivative, kernel(base.kernel), base.order, (1.0, S, F), base.mass
+    )
 
 
 def stencil_by_complex_step(base: StretchedBar) -> dict[int, float]:

@@ -13,7 +13,7 @@ KINDS = ("x", "v", "stress", "edge", "measure")
 
 @dataclass(frozen=True)
 class Base:
-    """The base state: R = a/h and sigma/C^sigma dimensionless, Q in 1/time, h a length, V a velocity; rho = C^sigma = 1.
+    """The base state: R = a/h and sigma/C^sigma dimensionless, Q in 1/time, h a length, V a velocity; C^sigma = 1.
 
     Numbers may be strings such as "3/2", which are exact.
     """
@@ -26,6 +26,7 @@ class Base:
     frame_velocity: Scalar = 0
     kernel: str | Kernel = "cubic"
     order: int = 1
+    density: Scalar = 1
 
     def __post_init__(self) -> None:
         """Raises BadInput for a kernel whose second derivative jumps, which has no linearisation; UnknownName."""

@@ -4,6 +4,7 @@ Nothing of the linearisation enters: the propagator of the wave's amplitudes ove
 computed motion, and its eigenvalues are e^{i omega t}.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import pi
 
@@ -12,6 +13,7 @@ from scipy.integrate import solve_ivp
 
 from rkverify.arithmetic.native import Float, rational
 from rkverify.errors import BadInput
+from rkverify.solid.bar import Bar
 from rkverify.solid.chain import Chain, Motion, rates
 from rkverify.solid.integrate import integrate
 from rkverify.solid.kernel_values import Array
@@ -20,8 +22,11 @@ from rkverify.stability.lagrangian import StretchedBar, bar
 from rkverify.stability.lattice_state import Base
 from rkverify.stability.roots import Root
 
-AMPLITUDE = 1e-7
+AMPLITUDE = 1e-6
 """Velocity of the wave over the wave speed: its square, the error of linearity, is far below the accuracy asked for."""
+
+RTOL, ACCURACY = 1e-12, 1e-8
+"""Errors of a time step: of the state, and of the wave over its amplitude, which stays above the rounding of forces."""
 
 SAMPLES = 41
 LARGEST_CHAIN = 96
@@ -81,7 +86,7 @@ def measure(base: Base, kh: float) -> Measured:
         return GROWTH_LIMIT * AMPLITUDE - float(abs(drift).max())
 
     times = [interval * j for j in range(SAMPLES)]
-    motions = integrate(chain, start, times, atol=1e-10 * AMPLITUDE, stop=small)
+    motions = integrate(chain, start, times, RTOL, ACCURACY * AMPLITUDE, small)
     drifting = [replace(m, x=m.x - still.v * t) for m, t in zip(motions, times, strict=False)]
     series = _amplitudes(drifting, still, fitted)
     return _measured(series, interval, fitted)
@@ -101,26 +106,50 @@ def _interval(chain: Chain, start: Motion, still: Motion, kh: float, amplitude: 
 def measure_bar(base: StretchedBar, kh: float) -> Measured:
     """Roots omega of a wave near kh on the Lagrangian bar, from its nonlinear equations."""
     count, waves = fitting_wave(kh, 4 * base.reach + 4)
-    fitted = 2 * pi * waves / count
-    chain = bar(base, count)
-    nodes = np.arange(count)
-    shape = np.cos(fitted * nodes)
+    return measure_displacements(bar(base, count), 2 * pi * waves / count)
+
+
+def measure_displacements(chain: Bar, kh: float) -> Measured:
+    """Roots omega of the wave kh, which fits on the given bar, from its nonlinear equations."""
+    count = len(chain.gradients)
+    shape = np.cos(kh * np.arange(count))
     push = AMPLITUDE * chain.spacing
     fastest = np.sqrt(abs(chain.acceleration(push * shape)).max() / push)
-    interval = float(0.3 / max(fastest, 0.3 / chain.spacing))
 
     def slope(_: float, z: Array) -> Array:
         return np.concatenate([z[count:], chain.acceleration(z[:count])])
 
+    return measure_flow(slope, np.zeros(2 * count), count, kh, float(0.3 / max(fastest, 0.3 / chain.spacing)), push)
+
+
+def measure_flow(
+    slope: Callable[[float, Array], Array],
+    still: Array,
+    count: int,
+    kh: float,
+    interval: float,
+    push: float,
+    accuracy: float = 1e-10,
+) -> Measured:
+    """Roots omega of the wave kh about the rest state `still` of z' = slope(t, z), sampled at the given interval.
+
+    z holds the positions and the velocities of `count` particles, then whatever follows from these; the wave starts with
+    the velocity `push`. accuracy: absolute error of a time step over `push`; below the rounding of the positions over
+    `push` the steps only become small.
+    """
+    nodes = np.arange(count)
+    start = still.copy()
+    start[count : 2 * count] += push * np.cos(kh * nodes)
+
     def small(_: float, z: Array) -> float:
-        return GROWTH_LIMIT * push - float(abs(z[count:]).max())
+        return GROWTH_LIMIT * push - float(abs(z[count : 2 * count]).max())
 
     small.terminal = True  # type: ignore[attr-defined]
     times = interval * np.arange(SAMPLES)
-    start = np.concatenate([np.zeros(count), push * shape])
-    done = solve_ivp(slope, (0, times[-1]), start, "DOP853", times, events=small, rtol=1e-11, atol=1e-10 * push)
-    wave = np.exp(-1j * fitted * nodes) / count
-    return _measured(np.stack([wave @ done.y[:count], wave @ done.y[count:]], axis=1), interval, fitted)
+    done = solve_ivp(slope, (0, times[-1]), start, "DOP853", times, events=small, rtol=1e-11, atol=accuracy * push)
+    wave = np.exp(-1j * kh * nodes) / count
+    moved = done.y - still[:, None]
+    return _measured(np.stack([wave @ moved[:count], wave @ moved[count : 2 * count]], axis=1), interval, kh)
 
 
 def _measured(series: Array, interval: float, kh: float) -> Measured:

@@ -36,6 +36,8 @@ def symbol(base: Base, stencil: Stencil, kh: float) -> NDArray[np.complex128]:
     for i, row in enumerate(kinds):
         for j, column in enumerate(kinds):
             A[i, j] = sum(c * np.exp(1j * n * kh) for n, c in stencil[row, column].items())
+    if ("mass", "v") in stencil:
+        A[kinds.index("v")] /= sum(c * np.exp(1j * n * kh) for n, c in stencil["mass", "v"].items())
     return A
 
 
@@ -62,4 +64,6 @@ def omega_squared_at_rest(base: Base, stencil: Stencil, kh: Scalar, K: Arithmeti
     for kind in base.kinds[2:]:
         carried, follows = transform(stencil["v", kind], kh, K), transform(stencil[kind, "v"], kh, K)
         total = total + carried.re * follows.re - carried.im * follows.im
+    if ("mass", "v") in stencil:
+        total = total / transform(stencil["mass", "v"], kh, K).re
     return -total

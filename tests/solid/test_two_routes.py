@@ -13,7 +13,17 @@ from rkverify.arithmetic.native import Float
 from rkverify.kernels import KERNELS, kernel
 from rkverify.paper.approximation import approximation
 from rkverify.paper.shape import shape_functions, shape_gradient
-from rkverify.readings import CELL_EDGES, CELL_MEASURES, CONVECTIONS, DERIVATIVES, NODE_MOTIONS, STRESS_LAWS, Readings
+from rkverify.readings import (
+    CELL_EDGES,
+    CELL_MEASURES,
+    CONVECTIONS,
+    DERIVATIVES,
+    MASSES,
+    NODE_MOTIONS,
+    STRESS_LAWS,
+    SUPPORT_RADII,
+    Readings,
+)
 from rkverify.solid.line import line
 from rkverify.stability import jacobian_paper, jacobian_solid
 from rkverify.stability.lagrangian import StretchedBar, stencil, stencil_by_complex_step
@@ -30,6 +40,9 @@ CHANGES = [
     *({"node_motion": m} for m in NODE_MOTIONS),
     *({"cell_edges": e} for e in CELL_EDGES),
     *({"cell_measure": m} for m in CELL_MEASURES),
+    *({"support_radius": a} for a in SUPPORT_RADII),
+    *({"mass": m} for m in MASSES),
+    {"support_radius": "spacing", "mass": "consistent", "convection": "true"},
     {"node_motion": "field", "cell_edges": "material", "cell_measure": "material", "convection": "true"},
 ]
 

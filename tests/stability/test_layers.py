@@ -114,6 +114,11 @@ def test_a_frame_in_motion_changes_psi_star_and_not_the_true_rate() -> None:
         ({"layer": "printed", "frame_velocity": 1}, BadInput),
         ({"layer": "measured"}, UnknownName),
         ({"stress_law": "jaumann"}, UnknownName),
+        ({"support_radius": "growing"}, UnknownName),
+        ({"mass": "heavy"}, UnknownName),
+        ({"layer": "printed", "mass": "consistent"}, BadInput),
+        ({"layer": "printed", "stress_law": "literal"}, BadInput),
+        ({"layer": "as-defined", "half_point": "literal"}, BadInput),
     ],
 )
 def test_what_has_no_answer_is_refused(changes: dict[str, str], error: type[Exception]) -> None:

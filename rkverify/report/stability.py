@@ -1,0 +1,99 @@
+"""The page "Stability": claims by layer, then figures and statements of several studies in an order that explains."""
+
+import csv
+import tomllib
+from dataclasses import dataclass
+from importlib.resources import files
+from typing import Any
+
+from rkverify.errors import BadInput
+from rkverify.ledger.entries import entries
+from rkverify.ledger.states import Evidence, State
+from rkverify.paths import Checkout
+from rkverify.report.content import Site, StudyPage, state_css, statement
+
+LAYERS = ("printed", "as-defined", "consistent", "simulated")
+
+
+@dataclass(frozen=True)
+class Section:
+    """A part of the page: what it explains, what it shows, what was found, and the command that computes it anew."""
+
+    title: str
+    text: str
+    figures: list[dict[str, str]]
+    statements: list[dict[str, Any]]
+    tables: list[dict[str, Any]]
+    command: str
+
+
+def plan() -> dict[str, Any]:
+    """What the page shows in which order."""
+    return tomllib.loads(files("rkverify.report").joinpath("stability.toml").read_text(encoding="utf-8"))
+
+
+def sections(place: Checkout, site: Site) -> list[Section]:
+    """The parts of the page that the results at hand can fill.
+
+    Raises BadInput where the plan names a study's figure, table or statement that the study does not have.
+    """
+    pages = {study.name: study for study in site.studies}
+    found = []
+    for part in plan()["section"]:
+        found.append(
+            Section(
+                part["title"],
+                part["text"],
+                [_figure(pages, name) for name in part["figures"]],
+                [_statement(site.evidence, name) for name in part["statements"]],
+                [_table(place, pages, name) for name in part.get("tables", [])],
+                part["command"],
+            )
+        )
+    return found
+
+
+def _missing(name: str) -> BadInput:
+    return BadInput(
+        f"the page Stability shows {name}, which no study has: run the studies, or take it out of stability.toml"
+    )
+
+
+def _figure(pages: dict[str, StudyPage], name: str) -> dict[str, str]:
+    study, _, file = name.partition("/")
+    for figure in pages[study].figures if study in pages else ():
+        if figure["src"].endswith("/" + file):
+            return {**figure, "study": study}
+    raise _missing(f"the figure {name}")
+
+
+def _statement(evidence: list[Evidence], name: str) -> dict[str, Any]:
+    study, _, key = name.partition("/")
+    for e in evidence:
+        if (e.study, e.name) == (study, key):
+            return {**statement(e), "study": study}
+    raise _missing(f"the statement {name}")
+
+
+def _table(place: Checkout, pages: dict[str, StudyPage], name: str) -> dict[str, Any]:
+    study, _, file = name.partition("/")
+    for table in pages[study].tables if study in pages else ():
+        if table["file"] == file:
+            with (place.results / study / file).open(encoding="utf-8", newline="") as stream:
+                header, *rows = csv.reader(stream)
+            return {**table, "header": header, "rows": rows, "study": study}
+    raise _missing(f"the table {name}")
+
+
+def claims_by_layer(states: dict[str, State]) -> list[dict[str, Any]]:
+    """Claims with a verdict in more than one layer: the state in each, and the readings that save it."""
+    rows = []
+    for name, entry in entries().items():
+        if len(entry.layers) > 1:
+            words = states[name].layers
+            cells = []
+            for layer in LAYERS:
+                word, _, detail = words.get(layer, "").partition(" (")
+                cells.append({"word": word, "detail": detail.removesuffix(")"), "css": state_css(word)})
+            rows.append({"id": name, "statement": entry.statement, "cells": cells})
+    return rows

@@ -1,0 +1,193 @@
+"""Support ratios and stresses at which the verdict on DNI turns: the state at kh = pi, per kernel and reading."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from rkverify.certify.turn_tables import agreement_rows, profile_rows, range_rows, turn_rows
+from rkverify.readings import Derivative
+from rkverify.workflow.compare import Exact, Numeric
+from rkverify.workflow.study import Drawing, Statement, Study, Tables, table
+from rkverify.workflow.style import LINES, new_figure
+
+
+@dataclass(frozen=True)
+class Parameters:
+    """Kernels of class C2, readings of the derivative, and the support ratios up to which zeros are searched and shown."""
+
+    kernels: tuple[str, ...] = ("cubic", "quartic", "quintic", "wendland-c2", "wendland-c4")
+    derivatives: tuple[Derivative, ...] = ("full", "diffuse")
+    printed: tuple[Derivative, ...] = ("full", "diffuse", "frozen-b", "frozen")
+    upper: str = "4"
+    shown: tuple[str, ...] = ("21/20", *(str(Fraction(n, 15)) for n in range(16, 61)))
+    range_ratios: tuple[str, ...] = tuple(str(Fraction(n, 10)) for n in range(11, 41))
+    other_range_ratios: tuple[str, ...] = tuple(str(Fraction(n, 4)) for n in range(5, 17))
+    samples: int = 200
+    decided_kernel: str = "cubic"
+    decided_upper: str = "2"
+
+
+QUICK = Parameters(kernels=("cubic",), printed=("diffuse",), shown=("3/2", "7/4"), range_ratios=("5/2",), samples=20)
+
+
+def compute(p: Parameters) -> Tables:
+    """All zeros with their signs, the functions themselves, and the ranges of stress."""
+    upper = Fraction(p.upper)
+    others: tuple[Derivative, ...] = tuple(d for d in p.printed if d not in p.derivatives)
+    return {
+        "turns": table(
+            turn_rows("method", p.derivatives, p.kernels, upper)
+            + turn_rows("method", others, (p.decided_kernel,), upper)
+            + turn_rows("(87)", p.printed, p.kernels, upper),
+            [
+                ("function", "", "method: the linearised equations with DNI at rest; (87): -4 Psi,xx(h)"),
+                ("kernel", "", "of class C2"),
+                ("derivative", "", "reading of the derivative"),
+                ("degree", "1", "of the largest polynomial whose zeros were isolated"),
+                ("zero", "1", "R at which omega^2(pi)/sigma vanishes, every digit certain"),
+                ("before", "1", "sign of omega^2(pi)/sigma for smaller R"),
+                ("behind", "1", "sign for larger R; 0 at the end of the search"),
+                ("kind", "", "turn where the sign changes, touch where it does not"),
+            ],
+            f"All zeros of omega^2(pi)/sigma for 1 < R <= {p.upper}, isolated with rational ends and counted by Sturm's sequence.",
+            Exact(),
+        ),
+        "agreement": table(
+            agreement_rows(p.decided_kernel, p.printed, Fraction(p.decided_upper)),
+            [
+                ("kernel", "", "of class C2"),
+                ("derivative", "", "reading of the derivative"),
+                ("method", "1", "signs of omega^2(pi)/sigma of the method between the zeros"),
+                ("printed", "1", "signs of -4 Psi,xx(h) there"),
+                ("zeros", "1", "every zero of either"),
+                ("same", "", "whether the signs agree everywhere"),
+            ],
+            f"Signs of the method and of (87) at kh = pi for 1 < R < {p.decided_upper}.",
+            Exact(),
+        ),
+        "profile": table(
+            profile_rows("method", p.derivatives, p.kernels, p.shown)
+            + profile_rows("(87)", p.derivatives, (p.decided_kernel,), p.shown),
+            [
+                ("function", "", "method or (87)"),
+                ("kernel", "", "of class C2"),
+                ("derivative", "", "reading of the derivative"),
+                ("support_ratio", "1", "R"),
+                ("value", "1", "omega^2 rho h^2/sigma at kh = pi"),
+            ],
+            "The state at kh = pi over R.",
+            Numeric(1e-11, 0, "exact rationals, rounded once when they are printed"),
+        ),
+        "stress_range": table(
+            range_rows(p.range_ratios, (p.decided_kernel,), p.derivatives, p.samples)
+            + range_rows(
+                p.other_range_ratios, [k for k in p.kernels if k != p.decided_kernel], p.derivatives, p.samples
+            ),
+            [
+                ("kernel", "", "of class C2"),
+                ("derivative", "", "reading of the derivative"),
+                ("support_ratio", "1", "R"),
+                ("lowest", "1", "lowest sigma/C^sigma at which omega^2 >= 0 at every kh looked at"),
+                ("kh_lowest", "rad", "the kh that sets it, 0 for the longest waves"),
+                ("highest", "1", "highest sigma/C^sigma, none where there is no end"),
+                ("kh_highest", "rad", "the kh that sets it"),
+            ],
+            f"Stresses at which DNI at rest is stable; cos kh = -1 + 2 n/{p.samples}.",
+            Exact(),
+        ),
+    }
+
+
+def _ratio(text: str) -> float:
+    return float(Fraction(text))
+
+
+def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
+    """omega^2(pi)/sigma over R for every kernel, with the turns marked."""
+    profile, turns = tables["profile"].frame, tables["turns"].frame
+    figure = new_figure(9.6, 4.2)
+    panels = figure.subplots(1, len(p.derivatives), sharey=True, squeeze=False)[0]
+    for axes, derivative in zip(panels, p.derivatives, strict=True):
+        for style, kernel in zip(LINES, p.kernels, strict=False):
+            part = profile[
+                (profile["function"] == "method")
+                & (profile["kernel"] == kernel)
+                & (profile["derivative"] == derivative)
+            ]
+            axes.plot(part["support_ratio"].map(_ratio), part["value"], label=kernel, **style)
+            marked = _turns(turns, "method", kernel, derivative)
+            axes.plot(
+                marked,
+                [0] * len(marked),
+                linestyle="",
+                marker="o",
+                markersize=6,
+                color=style["color"],
+                markerfacecolor="#FFFFFF",
+            )
+        part = profile[(profile["function"] == "(87)") & (profile["derivative"] == derivative)]
+        axes.plot(
+            part["support_ratio"].map(_ratio),
+            part["value"],
+            label=f"(87), {p.decided_kernel}",
+            color="#808080",
+            linewidth=0.9,
+        )
+        axes.axhline(0, color="#606060", linewidth=0.8)
+        axes.set_yscale("symlog", linthresh=0.1)
+        axes.set(xlabel="support ratio  R = a/h  (1)", title=f"{derivative} derivative")
+    panels[0].set_ylabel("ω²ρh²/σ at kh = π  (1)")
+    panels[0].legend(loc="lower right")
+    caption = (
+        "DNI at rest, as defined: where the curve is negative a tensile stress makes kh = pi grow, where it is positive a compressive one does. Circles: turns. Grey: (87) in the panel's reading. "
+        f"Vertical axis linear between -0.1 and 0.1, logarithmic beyond. h = rho = 1, linear basis, all kernels of class C2 (the paper names the cubic one); 1 < R <= {p.upper} is ours."
+    )
+    spans = []
+    for derivative in p.derivatives:
+        each = {kernel: _turns(turns, "method", kernel, derivative) for kernel in p.kernels}
+        found = "; ".join(
+            f"{kernel} at R = {', '.join(f'{R:.4g}' for R in where)}" for kernel, where in each.items() if where
+        )
+        spans.append(
+            f"with the {derivative} derivative " + (f"the sign turns for {found}" if found else "no kernel turns")
+        )
+    alternative = f"omega^2 at kh = pi over sigma starts far below zero at R = 1: {'; '.join(spans)}."
+    return {"turns": Drawing(figure, caption, alternative)}
+
+
+def _turns(turns: Any, function: str, kernel: str, derivative: str) -> list[float]:
+    part = turns[
+        (turns["function"] == function)
+        & (turns["kernel"] == kernel)
+        & (turns["derivative"] == derivative)
+        & (turns["kind"] == "turn")
+    ]
+    return [float(zero) for zero in part["zero"]]
+
+
+def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
+    """Whether the sign of sigma Psi,xx(h) decides the method's stability as it decides (87)'s."""
+    statements = []
+    for row in tables["agreement"].frame.itertuples():
+        constant = {"1": "is positive throughout", "-1": "is negative throughout"}
+        word = constant.get(str(row.method), f"has the signs {row.method}, turning at R = {row.zeros}")
+        verdict = "agree for every R" if row.same else "do not agree"
+        statements += [
+            Statement(
+                f"{name}_{row.derivative}_{layer}",
+                (about,),
+                f"At rest the signs of -sigma Psi,xx(h) and of omega^2(pi) of the linearised equations {verdict}; omega^2(pi)/sigma of the method {word}.",
+                bool(row.same),
+                f"all 1 < R < {p.decided_upper}, Q = 0, kh = pi; {p.decided_kernel} kernel, linear basis",
+                "proved",
+                layer=layer,
+                reading=f"derivative {row.derivative}",
+            )
+            for name, about in (("sign_decides", "C49"), ("tensile_instability", "C60"))
+            for layer in ("as-defined", "consistent")
+        ]
+    return statements
+
+
+STUDY = Study("Where the verdict on DNI turns", Parameters(), QUICK, compute, judge, draw)

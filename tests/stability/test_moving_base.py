@@ -1,0 +1,120 @@
+"""Waves on a base that moves: linear equations that follow it, against the nonlinear motion.
+
+The nonlinear motion knows nothing of any linearisation. What is left between the two is the wave's own size, 1e-5, the
+time steps, 1e-12 of positions of order ten over that size, and on the lattice the spline through 33 symbols, whose error
+is 1e-4 where a node passes a joint of the kernel, beyond which the C2 kernel's third derivative jumps.
+"""
+
+from dataclasses import replace
+from math import log
+
+import numpy as np
+import pytest
+
+from rkverify.arithmetic.native import Float
+from rkverify.errors import BadInput, UnknownName
+from rkverify.readings import Readings
+from rkverify.solid.chain import rates
+from rkverify.solid.integrate import integrate, pack
+from rkverify.solid.tangent import change_of_rates, changed
+from rkverify.stability import jacobian_paper
+from rkverify.stability.jacobian_solid import base_chain
+from rkverify.stability.lattice_state import Base
+from rkverify.stability.moving_base import base_at, finite_chain, starting_amplitudes, wave_on_chain, wave_on_lattice
+from rkverify.stability.passages import first_beyond
+
+QS = ("-1/10", "1/10")
+
+
+@pytest.mark.decides("C43", "C56", "C58")
+@pytest.mark.parametrize("integration", ["scni", "dni"])
+@pytest.mark.parametrize("convection", ["none", "true", "psi-star"])
+@pytest.mark.parametrize("Q", QS)
+def test_the_linear_equations_follow_the_nonlinear_wave(integration: str, convection: str, Q: str) -> None:
+    base = Base("3/2", Readings(integration, convection), "-1/4", Q)
+    assert wave_on_chain(base, 17, 2.0, 1.0, "oscillating").error < 1e-3
+    if convection != "psi-star":
+        assert wave_on_lattice(base, 2.0, "oscillating", 1.0).error < 1e-3
+
+
+@pytest.mark.parametrize(
+    "change", [{"support_radius": "spacing"}, {"mass": "consistent"}, {"stress_law": "cauchy-rate"}]
+)
+def test_they_do_in_other_readings(change: dict[str, str]) -> None:
+    base = Base("7/4", Readings("dni", "true", **change), "1/4", "1/10")
+    assert wave_on_lattice(base, 2.0, "velocity", 1.0).error < 1e-3
+    assert wave_on_chain(base, 13, 2.0, 0.5).error < 1e-3
+
+
+def test_frozen_coefficients_do_not() -> None:
+    """The twin: with the coefficients of the start the same wave is off by far more, so that following is what counts."""
+    passage = wave_on_lattice(Base("3/2", Readings("dni", "none"), "1/2", "1/10"), 3.0, "growing")
+    assert passage.error < 1e-3
+    assert passage.moving_growth > 1.5 * passage.frozen_growth
+
+
+@pytest.mark.parametrize("law", ["truesdell", "cauchy-rate"])
+def test_the_base_moves_as_the_closed_form_says(law: str) -> None:
+    """h grows as 1 + Q t; C + sigma with it, or sigma by log(1 + Q t): integrated without any of this being used."""
+    base = Base("3/2", Readings("scni", "true", stress_law=law), "1/3", "1/5")
+    chain, start = base_chain(base, 24)
+    end, moved = integrate(chain, start, [0.0, 2.0], 1e-12)[-1], base_at(base, 2.0)
+    assert np.allclose(np.diff(end.x), moved.spacing, rtol=1e-10)
+    assert np.allclose(end.stress, moved.stress_ratio, rtol=1e-10)
+    assert abs(moved.stress_ratio - ((4 / 3) * 1.4 - 1 if law == "truesdell" else 1 / 3 + log(1.4))) < 1e-14
+    assert np.allclose(end.v, end.x * moved.velocity_gradient, atol=1e-9)
+
+
+@pytest.mark.decides("E65")
+def test_inside_a_finite_chain_the_equations_are_those_of_the_lattice_in_its_frame() -> None:
+    """Another route to N on a base whose velocity depends on the position: duals through the transcription."""
+    base = Base("7/4", Readings("dni", "psi-star"), "1/3", "1/5")
+    chain, start = finite_chain(base, 31)
+    node = 20
+    here = replace(base, frame_velocity=float(start.v[node]))
+    stencil = jacobian_paper.linearise(here, Float()).stencil
+    for place, kind in enumerate(("x", "v", "stress")):
+        for n in (-3, -1, 0, 2):
+            change = np.zeros(5 * 31)
+            change[place * 31 + node + n] = 1.0
+            slope = change_of_rates(chain, start, change)[1]
+            # Rounding of sums of a hundred products, times the condition number of the moment matrix, below 30.
+            assert abs(slope[31 + node] - stencil["v", kind].get(n, 0.0)) < 30 * 100 * 2.0**-52, (kind, n)
+
+
+def test_the_tangent_is_a_difference_quotient() -> None:
+    """A complex step against central differences, whose error is (1e-5)^2 of third derivatives below 100."""
+    chain, start = finite_chain(Base("3/2", Readings("scni", "psi-star"), "1/3", "1/5"), 11)
+    change = np.sin(np.arange(55.0))
+    moved = [pack(rates(chain, changed(start, sign * 1e-5 * change)).motion) for sign in (1, -1)]
+    assert np.allclose(change_of_rates(chain, start, change)[1], (moved[0] - moved[1]) / 2e-5, atol=1e-7)
+
+
+def test_dead_loads_hold_the_chain_until_n_moves_it() -> None:
+    """Without N nothing accelerates at the start; with Psi* the ends of a stretching chain do."""
+    for convection, still in (("none", True), ("psi-star", False)):
+        chain, start = finite_chain(Base("3/2", Readings("scni", convection), "1/2", "1/5"), 15)
+        assert bool(abs(rates(chain, start).motion.v).max() < 1e-14) == still
+
+
+@pytest.mark.parametrize(
+    "change",
+    [{"convection": "psi-star"}, {"stress_law": "literal"}, {"node_motion": "field"}, {"cell_measure": "fixed"}],
+)
+def test_a_base_that_moves_otherwise_is_refused(change: dict[str, str]) -> None:
+    readings = Readings("scni", **{"convection": "true", **change})
+    with pytest.raises(BadInput, match="finite chain"):
+        base_at(Base("3/2", readings, 0, "1/5"), 1.0)
+
+
+def test_a_base_that_vanishes_and_an_unknown_start_are_refused() -> None:
+    base = Base("3/2", Readings("scni", "true"), 0, "-1/2")
+    with pytest.raises(BadInput, match="shrunk"):
+        base_at(base, 2.0)
+    with pytest.raises(UnknownName):
+        starting_amplitudes(base, 1.0, "anything")
+
+
+def test_where_a_curve_leaves_a_band() -> None:
+    assert first_beyond([0.1, 0.2], [1.02, 0.98], 0.1) == float("inf")
+    assert abs(first_beyond([0.1, 0.3], [1.0, 0.8], 0.1) - 0.2) < 1e-15

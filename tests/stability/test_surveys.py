@@ -1,0 +1,287 @@
+"""Surveys: that a few stencils give every setting, and that the critical step is the one at which a computation turns.
+
+The surveys' numbers come from two (at rest) or six (in motion) stencils each; they are held against the stencils of
+`paper/` in exact rationals, against `dispersion` one setting at a time, and against central differences in time.
+"""
+
+from collections.abc import Callable
+from dataclasses import replace
+from fractions import Fraction
+from math import pi, sqrt
+from typing import Any
+
+import numpy as np
+import pytest
+
+from rkverify.arithmetic.multiprecision import Multiprecision
+from rkverify.arithmetic.native import Exact
+from rkverify.errors import BadInput
+from rkverify.solid.chain import rates
+from rkverify.stability.at_rest import AtRest, at_rest
+from rkverify.stability.dispersion import Setting, dispersion
+from rkverify.stability.jacobian_paper import Stencil, linearise
+from rkverify.stability.jacobian_solid import base_chain
+from rkverify.stability.lagrangian import bar
+from rkverify.stability.side_by_side import ANALYTIC, Case, lagrangian_rows, semi_lagrangian_rows
+from rkverify.stability.stability_sets import FORMULATIONS, motion_rows
+from rkverify.stability.surveys import frequency, growth, roots_over
+from rkverify.stability.two_forms import constant_moduli_rows, same_material_rows
+
+KH = np.array([0.3, 1.0, 2.0, 3.0])
+
+SETTINGS = [
+    Setting("semi-lagrangian", "scni", "7/4", layer="as-defined"),
+    Setting("semi-lagrangian", "scni", "7/4"),
+    Setting("semi-lagrangian", "scni", "7/4", half_point="literal"),
+    Setting("semi-lagrangian", "dni", "3/2", layer="consistent"),
+    Setting("semi-lagrangian", "dni", "5/2", layer="as-defined", derivative="diffuse"),
+    Setting("semi-lagrangian", "dni", "3/2", derivative="diffuse"),
+    Setting("semi-lagrangian", "dni", "7/4", layer="as-defined", stress_law="literal", cell_measure="fixed"),
+    Setting("semi-lagrangian", "scni", "5/2", layer="as-defined", stress_law="cauchy-rate", cell_measure="material"),
+    Setting("semi-lagrangian", "scni", "3/2", layer="as-defined", support_radius="spacing"),
+]
+BARS = [
+    Setting("lagrangian", "scni", "5/2", stretch="6/5"),
+    Setting("lagrangian", "dni", "5/2", stretch="6/5", layer="as-defined"),
+]
+
+
+def _exact(setting: Setting, s: str, Q: str) -> Stencil:
+    return linearise(replace(setting, stress_ratio=s, velocity_gradient=Q).base(), Exact()).stencil
+
+
+def _interpolated(setting: Setting, s: Fraction, Q: Fraction, nodes: tuple[int, ...]) -> Stencil:
+    """The stencil at (s, Q) from those at s = 0, 1 and Q in nodes, by Lagrange's formula."""
+    weights = {}
+    for q in nodes:
+        weight = Fraction(1)
+        for other in nodes:
+            if other != q:
+                weight *= (Q - other) / Fraction(q - other)
+        weights[0, q], weights[1, q] = (1 - s) * weight, s * weight
+    total: dict[Any, dict[int, Any]] = {}
+    for (node_s, q), weight in weights.items():
+        for key, values in _exact(setting, str(node_s), str(q)).items():
+            for n, c in values.items():
+                block = total.setdefault(key, {})
+                block[n] = block.get(n, 0) + c * Exact().number(weight)
+    return total
+
+
+def _same(one: Stencil, other: Stencil) -> bool:
+    keys = one.keys() | other.keys()
+    return all(
+        one.get(k, {}).get(n, 0) == other.get(k, {}).get(n, 0)
+        for k in keys
+        for n in one.get(k, {}).keys() | other.get(k, {}).keys()
+    )
+
+
+@pytest.mark.parametrize("setting", [s for s in SETTINGS if s.layer != "printed"], ids=str)
+def test_six_stencils_are_all_stencils_and_four_are_not(setting: Setting) -> None:
+    """In exact rationals, so that a term of higher degree in s or Q could not hide; N needs the square of Q."""
+    s, Q = Fraction(-5, 7), Fraction(3, 5)
+    direct = _exact(setting, str(s), str(Q))
+    assert _same(direct, _interpolated(setting, s, Q, (-1, 0, 1)))
+    assert not _same(direct, _interpolated(setting, s, Q, (0, 1)))
+
+
+@pytest.mark.parametrize("setting", SETTINGS, ids=str)
+def test_surveyed_roots_are_those_of_each_setting(setting: Setting) -> None:
+    """To 1e-12: eigenvalues that are apart by 0.1 or more move by ten times the rounding of their matrix, at most 1e-14."""
+    roots = roots_over(setting, KH)
+    for s, Q in ((-0.7, 0.4), (0.6, -0.3)):
+        omega = roots(s, Q)
+        one = dispersion(replace(setting, stress_ratio=s, velocity_gradient=Q), KH.tolist())
+        each = [[b.omega for b in one if b.kh == theta] for theta in KH]
+        assert np.allclose(growth(omega), [max(r.growth for r in roots) for roots in each], rtol=0, atol=1e-12)
+        assert np.allclose(frequency(omega), [max(abs(r.re) for r in roots) for roots in each], rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize("setting", [*SETTINGS, *BARS], ids=str)
+def test_surveyed_relations_at_rest_are_those_at_many_digits(setting: Setting) -> None:
+    """Through `paper/` at 30 digits; sums of some tens of products of order 1 to 100 leave 1e-12."""
+    relation, K = at_rest(setting), Multiprecision(30)
+    for s in ("-7/10", "2/5"):
+        one = dispersion(replace(setting, stress_ratio=s), [str(theta) for theta in KH], K)
+        squared = [float(b.omega.squared[0]) for b in one[::2]]
+        assert np.allclose(relation.omega_squared(float(Fraction(s)), KH), squared, rtol=1e-12, atol=1e-12)
+
+
+def test_the_layers_are_one_at_rest_and_two_in_motion() -> None:
+    kh = np.array([2.0])
+    layers = [replace(SETTINGS[0], layer=layer) for layer in ("as-defined", "consistent")]
+    still, moving = ([growth(roots_over(one, kh)(-1.5, Q))[0] for one in layers] for Q in (0.0, 0.1))
+    assert abs(still[0] - still[1]) <= 1e-14
+    assert abs(moving[0] - moving[1]) > 1e-3
+
+
+@pytest.mark.parametrize("name", FORMULATIONS)
+def test_extremes_need_no_samples(name: str) -> None:
+    """No sample goes beyond the extremes, and the nearest of n samples misses them by O(1/n^2) of the range."""
+    relation = at_rest(replace(FORMULATIONS[name], support_ratio="19/10"))
+    for s in (-1.5, 0.5):
+        least, largest = relation.extremes(s)
+        values = relation.omega_squared(s, pi * np.arange(2001) / 2000)
+        span = largest - least
+        for missed in (values.min() - least, largest - values.max()):
+            assert -1e-13 * (1 + span) <= missed <= 1e-5 * span
+        assert abs(relation.omega_squared(s, np.array([relation.wave_of_largest(s)]))[0] - largest) <= 1e-13 * (
+            1 + span
+        )
+
+
+@pytest.mark.parametrize("setting", [*SETTINGS, *BARS], ids=str)
+def test_the_stable_stresses_end_where_a_square_turns_negative(setting: Setting) -> None:
+    """Just inside no square is negative beyond rounding, just outside one is: by 1e-3 in s, far from rounding."""
+    relation = at_rest(setting)
+    low, high = relation.stable_stresses()
+    assert low <= 0 <= high
+    for end, outward in ((low, -1e-3), (high, 1e-3)):
+        if np.isinf(end):
+            assert relation.extremes(np.sign(end) * 50)[0] >= -1e-10
+            continue
+        assert relation.extremes(end - outward * (low < 0 < high))[0] >= -1e-10
+        assert relation.extremes(end + outward)[0] < -1e-10
+
+
+@pytest.mark.decides("C46", "C71")
+def test_scni_is_stable_down_to_minus_the_modulus_for_every_support_and_dni_changes_sides() -> None:
+    """With G of the closed form of DNI: tension is unstable where G < 0 (R = 3/2) and compression where G > 0 (R = 7/4)."""
+    for R in ("11/10", "7/4", "5/2", "7/2"):
+        low, high = at_rest(replace(FORMULATIONS["SCNI"], support_ratio=R)).stable_stresses()
+        assert abs(low + 1) <= 1e-7
+        assert high == np.inf
+    for R, stable in (("3/2", (-1.0, 0.0)), ("7/4", (0.0, np.inf))):
+        assert at_rest(replace(FORMULATIONS["DNI full"], support_ratio=R)).stable_stresses() == pytest.approx(stable)
+
+
+def test_motion_moves_the_printed_boundary_of_scni_by_the_long_wave_formula() -> None:
+    """D/(kh)^2 -> 4 (1 + s) + 12 Q^2 c^2 as kh -> 0, with c = C(h) phi'(h)/R; the cubic kernel at R = 3/2 by hand."""
+    p0, p1, slope = 2 / 3, 4 / 81, -4 / 9
+    c = slope / (p0 + 2 * p1) / 1.5
+    (row,) = (r for r in motion_rows([Case("scni", "3/2")], [0.1], [0.0], 512) if r["layer"] == "printed")
+    # C(h/2) phi(h/2) = 1/2: two nodes see the edge. The first sampled wave is kh = pi/512, its square 4e-5.
+    assert row["turn"] == pytest.approx(-1 - 3 * 0.01 * c * c, abs=1e-5)
+
+
+LEAPT = [
+    ("Lagrangian SCNI", "5/2", 0.5),
+    ("Lagrangian DNI", "5/2", 0.5),
+    ("SCNI", "7/4", 0.5),
+    ("SCNI", "5/2", -0.5),
+    ("DNI full", "7/4", 0.5),
+    ("DNI full", "3/2", -0.5),
+    ("DNI diffuse", "3/2", -0.5),
+]
+NODES = 48
+
+
+@pytest.mark.parametrize(("name", "R", "s"), LEAPT)
+def test_central_differences_turn_at_the_critical_step(name: str, R: str, s: float) -> None:
+    """One per cent below nothing grows by more than the 1/sqrt(1 - 0.99^2) of a bounded leapfrog; above, it does without end.
+
+    The run knows the nonlinear equations alone. Its waves are 2 pi n/48, whose largest frequency is within 1 % of the
+    largest of all; the step above is taken from it.
+    """
+    setting = replace(FORMULATIONS[name], support_ratio=R, stress_ratio=s)
+    relation = at_rest(setting)
+    step = relation.critical_step(s)
+    own = 2 / sqrt(relation.omega_squared(s, 2 * pi * np.arange(NODES) / NODES).max())
+    assert step <= own <= 1.01 * step
+    start = 1e-8 * np.random.default_rng(7).standard_normal(NODES)
+    assert _largest_gain(setting, 0.99 * step, start, 800) < 100
+    assert _largest_gain(setting, 1.01 * own, start, 200) > 1e4
+
+
+def test_where_a_square_is_negative_no_step_is_short_enough() -> None:
+    setting = replace(FORMULATIONS["DNI full"], support_ratio="3/2", stress_ratio=0.5)
+    relation = at_rest(setting)
+    assert relation.extremes(0.5)[0] < 0
+    start = 1e-8 * np.random.default_rng(7).standard_normal(NODES)
+    assert _largest_gain(setting, 0.2 * relation.critical_step(0.5), start, 200) > 1e4
+
+
+def _largest_gain(setting: Setting, dt: float, start: np.ndarray, steps: int) -> float:
+    """The largest velocity in `steps` central differences over the largest at the start; ends where it passes 1e5."""
+    advance = _bar_step(setting, dt) if setting.formulation == "lagrangian" else _chain_step(setting, dt)
+    v, top = start, 1.0
+    for _ in range(steps):
+        v = advance(v)
+        top = max(top, abs(v).max() / abs(start).max())
+        if top > 1e5:
+            break
+    return float(top)
+
+
+def _bar_step(setting: Setting, dt: float) -> Callable[[np.ndarray], np.ndarray]:
+    chain = bar(setting.bar(), NODES)
+    u = np.zeros(NODES)
+
+    def advance(v: np.ndarray) -> np.ndarray:
+        nonlocal u
+        u = u + dt * v
+        return v + dt * chain.acceleration(u)
+
+    return advance
+
+
+def _chain_step(setting: Setting, dt: float) -> Callable[[np.ndarray], np.ndarray]:
+    """Stress and positions at whole steps, velocities at half steps."""
+    chain, motion = base_chain(setting.base(), NODES)
+
+    def advance(v: np.ndarray) -> np.ndarray:
+        nonlocal motion
+        rate = rates(chain, replace(motion, v=v)).motion.stress
+        motion = replace(motion, x=motion.x + dt * v, v=v, stress=motion.stress + dt * rate)
+        return v + dt * rates(chain, motion).motion.v
+
+    return advance
+
+
+@pytest.mark.decides("C70")
+def test_both_forms_are_one_where_the_modulus_is_pushed_forward_and_not_otherwise() -> None:
+    """omega_L^2 = F^2 omega_S^2 in their own units when C^sigma = F^3 C^SE; with constant moduli F = 1/2 tells them apart."""
+    rows = same_material_rows(("as-defined",), ("7/4", "5/2"), ("4/5", "2"), ("-11/10", "-9/10", "3"))
+    assert all(row["difference"] == 0 for row in rows)
+    assert all((row["lagrangian_least"] < 0) == (row["stress_ratio"] == "-11/10") for row in rows)
+    (row,) = constant_moduli_rows(("as-defined",), "3/2", ("1/2",))
+    assert row["lagrangian_least"] == pytest.approx(-1 / 8)  # (3 F^2 - 1)/2 times the largest |b|^2 = 1
+    assert row["semi_lagrangian_least"] == 0
+
+
+def test_measured_points_lie_on_the_curves_of_the_method_and_not_on_a_print_that_is_off() -> None:
+    """At R = 7/4 (76) leaves the cell edge at 3h/2 out. The table's values are rounded to 1e-7."""
+    semi = semi_lagrangian_rows([Case("scni", "7/4")], "1/2", ["0"], "1/20", 8, [4])
+    (printed, defined, consistent) = (
+        r["frequency"] for r in semi if r["kh"] == round(pi / 2, 10) and r["layer"] in ANALYTIC
+    )
+    measured = semi[-1]["frequency"]
+    assert abs(defined - consistent) <= 2e-7
+    assert abs(measured - defined) <= 1e-6
+    assert abs(measured - printed) > 1e-3
+    bar_rows = lagrangian_rows(["dni"], ["5/2"], "6/5", "1/3", 8, [4])
+    of = {r["layer"]: r["frequency"] for r in bar_rows if r["kh"] == round(pi / 2, 10)}
+    assert abs(of["simulated"] - of["as-defined"]) <= 1e-6
+    # Over c, stretch and stress drop out.
+    unstressed = at_rest(replace(BARS[1], stretch=1)).omega_squared(0.0, np.array([pi / 2]))[0]
+    assert abs(of["as-defined"] - sqrt(unstressed)) <= 1e-7
+
+
+@pytest.mark.parametrize(
+    "setting",
+    [
+        replace(SETTINGS[0], layer="simulated"),
+        replace(SETTINGS[0], node_motion="field"),
+        replace(SETTINGS[0], mass="consistent"),
+        Setting("lagrangian", "dni", "3/2"),
+    ],
+    ids=str,
+)
+def test_what_has_no_undamped_relation_is_refused(setting: Setting) -> None:
+    with pytest.raises(BadInput):
+        at_rest(setting)
+
+
+def test_a_relation_without_motion_has_no_critical_step() -> None:
+    assert AtRest(np.zeros(3), np.zeros(3)).critical_step(0.0) == np.inf
