@@ -233,7 +233,7 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
         "(12), linear basis, h = rho = C^sigma = 1; R is ours."
     )
     spans = [
-        f"{label} between {part[column].min() / Q:.2g} and {part[column].max() / Q:.2g}"
+        f"{label} between {round(part[column].min() / Q, 9):.2g} and {round(part[column].max() / Q, 9) + 0.0:.2g}"
         for column, label in shown
         if len(part)
     ]

@@ -8,7 +8,7 @@ from rkverify.certify import kinematics
 from rkverify.certify.samples import rational_node_sets
 from rkverify.stability.printed import gradients_are_odd, stencil_half_width
 from rkverify.workflow.compare import Exact, Numeric
-from rkverify.workflow.study import Drawing, Statement, Study, Tables, table
+from rkverify.workflow.study import Drawing, Statement, Study, Tables, rounding, table
 from rkverify.workflow.style import LINES, new_figure
 
 
@@ -88,7 +88,7 @@ def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
         Statement(
             "smoothed",
             ("E52", "E72"),
-            f"The smoothed gradient is the mean of Psi,x over the cell to {worst:.1e}, and its sums sum_I b = 0 and sum_I b x_I = 1 are exact.",
+            f"The smoothed gradient is the mean of Psi,x over the cell to {rounding(worst)}, and its sums sum_I b = 0 and sum_I b x_I = 1 are exact.",
             exact and worst <= allowed,
             cells,
             "exact",

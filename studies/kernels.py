@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from rkverify.certify.kernel_facts import facts, gaps_to_library, profile
 from rkverify.workflow.compare import Exact, Numeric
-from rkverify.workflow.study import Drawing, Statement, Study, Tables, table
+from rkverify.workflow.study import Drawing, Statement, Study, Tables, rounding, table
 from rkverify.workflow.style import LINES, new_figure
 
 
@@ -85,7 +85,7 @@ def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
         Statement(
             "cubic_is_the_b_spline",
             ("E12",),
-            f"The transcription of (12) agrees with its printed pieces exactly and with scipy's cubic B-spline to {library.loc['cubic', 'difference']:.1e}.",
+            f"The transcription of (12) agrees with its printed pieces exactly and with scipy's cubic B-spline to {rounding(library.loc['cubic', 'difference'])}.",
             agrees and cubic["at_zero"] == "2/3",
             f"{p.samples} points z in [0, 1]",
             "exact",

@@ -182,7 +182,7 @@ def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
                 f"all 1 < R < {p.decided_upper}, Q = 0, kh = pi; {p.decided_kernel} kernel, linear basis",
                 "proved",
                 layer=layer,
-                reading=f"derivative {row.derivative}",
+                reading=f"{row.derivative} derivative",
             )
             for name, about in (("sign_decides", "C49"), ("tensile_instability", "C60"))
             for layer in ("as-defined", "consistent")

@@ -9,7 +9,6 @@ from fractions import Fraction
 
 from rkverify.arithmetic.base import Arithmetic, Scalar
 from rkverify.arithmetic.dual import Dual, Duals
-from rkverify.arithmetic.rational_functions import RationalFunctions
 from rkverify.errors import BadInput
 
 
@@ -54,17 +53,3 @@ class NamedKernel:
     phi: NamedFunction
     continuity: int = 2
     smoothness_at_node: int = 2
-
-
-def named_kernel(field: RationalFunctions, places: dict[Fraction, str]) -> NamedKernel:
-    """phi, g = phi'/z and phi'' at the places z, with generators p_NAME, g_NAME, c_NAME of the field.
-
-    The slope of phi is z g, and that of g is (phi'' - g)/z; at z = 0, where g = phi'', both vanish by symmetry.
-    """
-    phi, over = {}, {}
-    for place, label in places.items():
-        p, g = field.generator(f"p_{label}"), field.generator(f"g_{label}")
-        z = field.number(place) if place == 0 else field.generator(f"z_{label}")
-        phi[place] = (p, z * g)
-        over[place] = (g, field.zero() if place == 0 else (field.generator(f"c_{label}") - g) / z)
-    return NamedKernel("named", NamedFunction(phi, NamedFunction(over)))

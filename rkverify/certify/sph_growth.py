@@ -14,7 +14,7 @@ from rkverify.certify.sph_comparison import RELATIONS as SPATIAL
 from rkverify.readings import CONVECTIONS, Convection, Derivative
 from rkverify.solid.sph import SphForm
 from rkverify.stability import lagrangian
-from rkverify.stability.dispersion import Layer, Setting, dispersion
+from rkverify.stability.layers import Layer, Setting, dispersion
 from rkverify.stability.sph import FORMS, SphBase, bar_omega_squared, growth, lagrangian_bar, omega_squared
 from rkverify.stability.sph_simulate import Packet, measure, measure_lagrangian, packet_gain
 from rkverify.stability.symbol import transform

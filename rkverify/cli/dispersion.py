@@ -7,8 +7,8 @@ from rkverify.arithmetic.base import Arithmetic, Scalar
 from rkverify.arithmetic.named import arithmetic
 from rkverify.cli.tables import write_table
 from rkverify.errors import BadInput
-from rkverify.stability.dispersion import Branch, Setting
-from rkverify.stability.dispersion import dispersion as roots
+from rkverify.stability.layers import Branch, Setting
+from rkverify.stability.layers import dispersion as roots
 
 COLUMNS = ["kh", "root", "omega_re", "omega_im", "omega2_re", "omega2_im", "growth"]
 

@@ -4,8 +4,9 @@ The nodes are X_I for the Lagrangian approximation (8)-(11) and x(X_I, t) for th
 (26)-(33); nothing else tells the two apart.
 """
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any, TypeVar
 
 from rkverify.arithmetic.base import Arithmetic, Scalar
 from rkverify.errors import BadInput, CoincidentNodes
@@ -13,6 +14,7 @@ from rkverify.kernels import Kernel, kernel
 from rkverify.paper.numbered import equation
 
 Vector = tuple[Scalar, ...]
+T = TypeVar("T")
 
 
 @equation(26)
@@ -28,6 +30,15 @@ class Approximation:
     kernel: Kernel
     order: int
     K: Arithmetic
+    memo: dict[tuple[str, int], tuple[Any, Any]] = field(default_factory=dict, init=False, repr=False, compare=False)
+
+    def once(self, what: str, x: Vector, make: Callable[[], T]) -> T:
+        """make(), computed once for this point; the point is kept, so that no other object takes its identity."""
+        key = (what, id(x))
+        if key not in self.memo:
+            self.memo[key] = (x, make())
+        value: T = self.memo[key][1]
+        return value
 
     @property
     def dimension(self) -> int:
@@ -46,7 +57,10 @@ class Approximation:
 
     def neighbours(self, x: Vector) -> list[int]:
         """The nodes whose support may reach x; at all others the kernel is zero with all its derivatives."""
-        return [J for J in range(len(self.nodes)) if not self.K.surely_positive(self.distance(x, J) - 1)]
+        everyone = range(len(self.nodes))
+        return self.once(
+            "neighbours", x, lambda: [J for J in everyone if not self.K.surely_positive(self.distance(x, J) - 1)]
+        )
 
     def point(self, *coordinates: Scalar) -> Vector:
         """The point with these coordinates, as numbers of this approximation's arithmetic."""

@@ -124,7 +124,9 @@ def at_origin(A: Approximation) -> list[Scalar]:
 
 def coefficients(A: Approximation, x: Vector, right: list[Scalar] | None = None) -> list[Scalar]:
     """b(x) = M^-1(x) H(0), the coefficients of the correction polynomial in (2) and (28); or M^-1 times `right`."""
-    return solve(A, x, moment_matrix(A, x), at_origin(A) if right is None else right)
+    if right is None:
+        return A.once("b", x, lambda: solve(A, x, moment_matrix(A, x), at_origin(A)))
+    return solve(A, x, moment_matrix(A, x), right)
 
 
 def coefficients_rate(

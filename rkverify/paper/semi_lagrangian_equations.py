@@ -4,6 +4,7 @@ A state holds what changes in time: positions, velocities, Cauchy stresses and, 
 cell edges and cell measures. `Equations` gives the rates of all of these at one node.
 """
 
+import dataclasses
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -50,11 +51,16 @@ class SemiLagrangianChain:
     readings: Readings
     origin: Sequence[Scalar] = ()
     support_ratio: Scalar = 0
+    memo: dict[int, tuple[ChainState, Approximation]] = dataclasses.field(
+        default_factory=dict, init=False, repr=False, compare=False
+    )
 
     def on(self, state: ChainState) -> Approximation:
-        """The approximation on the current positions (26)."""
-        supports = None if self.readings.support_radius == "fixed" else self.following_spacing(state.positions)
-        return self.A.at([(x,) for x in state.positions], supports)
+        """The approximation on the current positions (26), the same one for the same state."""
+        if id(state) not in self.memo:
+            supports = None if self.readings.support_radius == "fixed" else self.following_spacing(state.positions)
+            self.memo[id(state)] = (state, self.A.at([(x,) for x in state.positions], supports))
+        return self.memo[id(state)][1]
 
     def following_spacing(self, values: Sequence[Scalar]) -> list[Scalar]:
         """R (x_(I+1) - x_(I-1)) / 2 for positions, and its rate for velocities; one-sided at the ends."""

@@ -7,7 +7,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from rkverify.paths import Checkout
 from rkverify.report.content import count_rows, findings, gather, ledger_parts
-from rkverify.report.stability import LAYERS, claims_by_layer, plan, sections
+from rkverify.report.stability import LAYERS, claims_by_layer, counts_by_layer, plan, sections
 from rkverify.workflow.files import write_atomically
 
 
@@ -43,13 +43,17 @@ def build(place: Checkout) -> Path:
             page="ledger", title="Ledger", studies=site.studies, parts=ledger_parts(place, site), foot=foot
         ),
     }
+    claims = claims_by_layer(site.states)
+    words, numbers = counts_by_layer(claims)
     pages["stability"] = templates["stability"].render(
         page="stability",
         title="Stability",
         studies=site.studies,
         lead=plan()["lead"],
         layers=LAYERS,
-        claims=claims_by_layer(site.states),
+        claims=claims,
+        words=words,
+        counts=numbers,
         sections=sections(place, site),
         foot=foot,
     )

@@ -1,6 +1,7 @@
 """The page "Stability": claims by layer, then figures and statements of several studies in an order that explains."""
 
 import csv
+import re
 import tomllib
 from dataclasses import dataclass
 from importlib.resources import files
@@ -8,9 +9,12 @@ from typing import Any
 
 from rkverify.errors import BadInput
 from rkverify.ledger.entries import entries
-from rkverify.ledger.states import Evidence, State
+from rkverify.ledger.states import STATES, Evidence, State
 from rkverify.paths import Checkout
 from rkverify.report.content import Site, StudyPage, state_css, statement
+
+LONG = re.compile(r"-?\d*\.\d{5,11}(e-?\d+)?")
+"""A float as the tables write it; certified numbers have more digits and are shown as they are."""
 
 LAYERS = ("printed", "as-defined", "consistent", "simulated")
 
@@ -81,8 +85,13 @@ def _table(place: Checkout, pages: dict[str, StudyPage], name: str) -> dict[str,
         if table["file"] == file:
             with (place.results / study / file).open(encoding="utf-8", newline="") as stream:
                 header, *rows = csv.reader(stream)
-            return {**table, "header": header, "rows": rows, "study": study}
+            return {**table, "header": header, "rows": [[_short(cell) for cell in row] for row in rows], "study": study}
     raise _missing(f"the table {name}")
+
+
+def _short(cell: str) -> str:
+    """A number with more digits than a page needs, to four; zeros in `turns` and exact fractions stay."""
+    return f"{float(cell):.4g}" if LONG.fullmatch(cell) else cell
 
 
 def claims_by_layer(states: dict[str, State]) -> list[dict[str, Any]]:
@@ -95,5 +104,17 @@ def claims_by_layer(states: dict[str, State]) -> list[dict[str, Any]]:
             for layer in LAYERS:
                 word, _, detail = words.get(layer, "").partition(" (")
                 cells.append({"word": word, "detail": detail.removesuffix(")"), "css": state_css(word)})
-            rows.append({"id": name, "statement": entry.statement, "cells": cells})
+            # An equation's formula stands on its study's page; here its place says enough.
+            said = entry.place if name.startswith("E") else entry.statement
+            rows.append({"id": name, "statement": said, "cells": cells})
     return rows
+
+
+def counts_by_layer(rows: list[dict[str, Any]]) -> tuple[list[str], list[dict[str, Any]]]:
+    """The states that occur, and how many entries are in each, layer by layer."""
+    words = [word for word in STATES if any(cell["word"] == word for row in rows for cell in row["cells"])]
+    found = []
+    for place, layer in enumerate(LAYERS):
+        told = [row["cells"][place]["word"] for row in rows]
+        found.append({"layer": layer, "numbers": [told.count(word) for word in words]})
+    return words, found

@@ -17,7 +17,7 @@ from rkverify.paper import printed_lagrangian
 from rkverify.paper.notation import lattice_values
 from rkverify.solid.kernel_values import Array
 from rkverify.stability import jacobian_solid, lagrangian
-from rkverify.stability.dispersion import Setting
+from rkverify.stability.layers import Setting
 from rkverify.stability.printed import PrintedQuadratic
 
 SAMPLES = 480

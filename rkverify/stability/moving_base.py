@@ -87,9 +87,24 @@ def base_at(base: Base, time: float) -> Base:
     )
 
 
-def symbol_at(base: Base, kh: float) -> Array:
-    """The matrix of the amplitudes' rates on a base (kinds, kinds)."""
-    return symbol(base, jacobian_solid.stencil(base), kh)
+def symbol_at(base: Base, kh: float, count: int) -> Array:
+    """The matrix of the amplitudes' rates on a base (kinds, kinds), for a wave that fits on a periodic chain of count nodes.
+
+    The derivative of the rates along the wave's cosine and its sine, at the node where its phase is zero.
+    """
+    chain, motion = base_chain(base, count)
+    phase = kh * (np.arange(count) - count // 2)
+    columns = []
+    for column in base.kinds:
+        response = np.zeros(len(base.kinds), dtype=complex)
+        for unit, shape in ((1.0, np.cos(phase)), (1j, np.sin(phase))):
+            change = np.zeros(len(PARTS) * count)
+            place = PARTS.index(FIELDS[column]) * count
+            change[place : place + count] = shape
+            slope = change_of_rates(chain, motion, change)[1]
+            response += unit * np.array([slope[PARTS.index(FIELDS[k]) * count + count // 2] for k in base.kinds])
+        columns.append(response)
+    return np.stack(columns, axis=1)
 
 
 def wave_on_lattice(base: Base, kh: float, start: str, duration: float | None = None) -> Passage:
@@ -99,39 +114,38 @@ def wave_on_lattice(base: Base, kh: float, start: str, duration: float | None = 
     """
     count, waves = fitting_wave(kh, 2 * base.reach(Float())[1] + 2)
     fitted = 2 * pi * waves / count
-    amplitudes, rate = starting_amplitudes(base, fitted, start)
+    amplitudes, rate = starting_amplitudes(base, fitted, start, count)
     time = 1 / rate.real if duration is None else duration
     times = np.linspace(0.0, time, SAMPLES)
-    matrices = np.array([symbol_at(base_at(base, float(t)), fitted) for t in times])
+    matrices = np.array([symbol_at(base_at(base, float(t)), fitted, count) for t in times])
     between = CubicSpline(times, matrices)
     done = solve_ivp(lambda t, a: between(t) @ a, (0.0, time), amplitudes, "DOP853", rtol=1e-10, atol=1e-12)
     moving, frozen = done.y[:, -1], expm(matrices[0] * time) @ amplitudes
     nonlinear = _amplitudes_after(base, count, fitted, time, amplitudes)
-    growths = (_mean_growth(amplitudes, end, time) for end in (nonlinear, moving, frozen))
-    return Passage(fitted, time, _apart(nonlinear, moving), *growths, rate)
+    return _passage(fitted, time, rate, amplitudes, (nonlinear, moving, frozen))
 
 
-def starting_amplitudes(base: Base, kh: float, start: str) -> tuple[Array, complex]:
+def starting_amplitudes(base: Base, kh: float, start: str, count: int = 0) -> tuple[Array, complex]:
     """Amplitudes (kinds,) at the start, and the rate lambda of e^{lambda t} with which they would grow on a frozen base.
 
     velocity: of the velocities alone, for which there is no one rate; growing: the eigenvector that grows fastest;
-    oscillating: the one of the largest frequency, whose norm would stay if the base did. Raises UnknownName.
+    oscillating: the one of the largest frequency, whose norm would stay if the base did. count: nodes of a periodic chain
+    on which the wave fits, 0 where it need not. Raises UnknownName.
     """
     if start == "velocity":
         return np.array([1.0 if kind == "v" else 0.0 for kind in base.kinds], dtype=complex), complex(np.nan)
-    values, vectors = np.linalg.eig(symbol_at(base, kh))
+    A = symbol_at(base, kh, count) if count else symbol(base, jacobian_solid.stencil(base), kh)
+    values, vectors = np.linalg.eig(A)
     if start not in STARTS:
         raise UnknownName("start", start, STARTS)
     chosen = int(np.argmax(values.real if start == "growing" else values.imag))
     return vectors[:, chosen], complex(values[chosen])
 
 
-def _apart(one: Array, other: Array) -> float:
-    return float(np.linalg.norm(one - other) / np.linalg.norm(one))
-
-
-def _mean_growth(start: Array, end: Array, duration: float) -> float:
-    return float(np.log(np.linalg.norm(end) / np.linalg.norm(start)) / duration)
+def _passage(kh: float, duration: float, rate: complex, start: Array, ends: tuple[Array, Array, Array]) -> Passage:
+    nonlinear, moving, frozen = (float(np.log(np.linalg.norm(end) / np.linalg.norm(start)) / duration) for end in ends)
+    error = float(np.linalg.norm(ends[0] - ends[1]) / np.linalg.norm(ends[0]))
+    return Passage(kh, duration, error, nonlinear, moving, frozen, rate)
 
 
 def _amplitudes_after(base: Base, count: int, kh: float, duration: float, start: Array) -> Array:
@@ -189,8 +203,7 @@ def wave_on_chain(base: Base, count: int, kh: float, duration: float, start: str
         moving += unit * deltas[-1]
         nonlinear += unit * (pack(ended) - pack(bases[-1])) / scale
     frozen = _frozen(chain, still, change, duration)
-    growths = (_mean_growth(change, end, duration) for end in (nonlinear, moving, frozen))
-    return Passage(kh, duration, _apart(nonlinear, moving), *growths, rate)
+    return _passage(kh, duration, rate, change, (nonlinear, moving, frozen))
 
 
 def _frozen(chain: Chain, start: Motion, change: Array, duration: float) -> Array:

@@ -100,8 +100,8 @@ def first_beyond(shares: Sequence[float], values: Sequence[float], allowed: floa
 
     shares grow and start above 0, where the value is 1.
 
-    >>> first_beyond([0.1, 0.2], [1.0, 1.2], 0.1)
-    0.15
+    >>> first_beyond([0.25, 0.5], [1.0, 1.5], 0.25)
+    0.375
     """
     previous_share, previous_gap = 0.0, 0.0
     for share, value in zip(shares, values, strict=True):

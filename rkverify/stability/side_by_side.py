@@ -11,7 +11,7 @@ from rkverify.arithmetic.native import rational
 from rkverify.readings import Derivative, Integration
 from rkverify.stability import simulate
 from rkverify.stability.at_rest import at_rest
-from rkverify.stability.dispersion import Layer, Setting
+from rkverify.stability.layers import Layer, Setting
 from rkverify.stability.surveys import frequency, growth, roots_over
 
 Row = dict[str, Any]

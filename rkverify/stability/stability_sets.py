@@ -13,7 +13,7 @@ import numpy as np
 from rkverify.arithmetic.native import rational
 from rkverify.readings import CellMeasure, StressLaw
 from rkverify.stability.at_rest import AtRest, at_rest
-from rkverify.stability.dispersion import Setting
+from rkverify.stability.layers import Setting
 from rkverify.stability.side_by_side import ANALYTIC, Case
 from rkverify.stability.surveys import Roots, growth, roots_over
 

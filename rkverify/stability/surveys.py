@@ -12,7 +12,7 @@ import numpy as np
 from rkverify.solid.kernel_values import Array
 from rkverify.stability import jacobian_solid
 from rkverify.stability.at_rest import at_rest, printed_relation
-from rkverify.stability.dispersion import Setting
+from rkverify.stability.layers import Setting
 
 Roots = Callable[[float, float], Array]
 """(s, Q) -> the roots omega at every kh (waves, roots), complex; the wave e^{i(kx + omega t)} grows at -Im omega."""

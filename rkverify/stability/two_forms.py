@@ -15,7 +15,7 @@ import numpy as np
 from rkverify.arithmetic.native import rational
 from rkverify.stability import simulate
 from rkverify.stability.at_rest import at_rest
-from rkverify.stability.dispersion import Layer, Setting
+from rkverify.stability.layers import Layer, Setting
 
 Row = dict[str, Any]
 PRINT_ENDS = 2

@@ -8,8 +8,8 @@ from typing import Any
 from rkverify.arithmetic.base import Arithmetic
 from rkverify.arithmetic.multiprecision import Multiprecision
 from rkverify.arithmetic.native import Exact, rational
-from rkverify.stability.dispersion import Setting, dispersion
 from rkverify.stability.lagrangian import StretchedBar, stencil
+from rkverify.stability.layers import Setting, dispersion
 from rkverify.stability.side_by_side import SEVERAL
 
 Row = dict[str, Any]
@@ -107,6 +107,7 @@ def measured_row(setting: Setting, kh: float) -> Row:
         printed = _of_kind(replace(setting, layer="printed"), at, unstable)
     return {
         **{k: v for k, v in described(setting).items() if k not in ("layer", "convective", "Q", "spacing")},
+        "kernel": str(setting.kernel),
         "kh": at,
         "quantity": "growth" if unstable else "frequency",
         "measured": value,

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from math import ceil, log10
 from typing import TYPE_CHECKING, Any
 
 from rkverify.workflow.compare import Certified, Comparison
@@ -50,6 +51,17 @@ def table(
 
     described = tuple(Column(*column) for column in columns)
     return Table(described, pd.DataFrame(list(rows), columns=[c.name for c in described]), caption, comparison)
+
+
+def rounding(size: float) -> str:
+    """A difference that is rounding alone, as the power of ten that it stays below by a factor of ten or more.
+
+    The digits of rounding are another machine's others, and have no place in a sentence.
+
+    >>> rounding(2.7e-15), rounding(0.0)
+    ('1e-13', '1e-15')
+    """
+    return f"1e{max(ceil(log10(size)) + 1, -15) if size > 0 else -15}"
 
 
 @dataclass(frozen=True)

@@ -13,9 +13,9 @@ from rkverify.certify.turns import method_at_pi, pieces, printed_at_pi, signs
 from rkverify.errors import BadInput
 from rkverify.paper.notation import lattice_values
 from rkverify.readings import Readings
-from rkverify.stability.dispersion import Setting, dispersion
 from rkverify.stability.jacobian_paper import linearise
 from rkverify.stability.lattice_state import Base
+from rkverify.stability.layers import Setting, dispersion
 
 F = Fraction
 K = Exact()

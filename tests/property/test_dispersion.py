@@ -11,7 +11,7 @@ from rkverify.arithmetic.multiprecision import Multiprecision
 from rkverify.kernels import KERNELS
 from rkverify.paper.notation import HALF_POINTS, lattice_values
 from rkverify.paper.shape import DERIVATIVES
-from rkverify.stability.dispersion import INTEGRATIONS, Setting, dispersion
+from rkverify.stability.layers import INTEGRATIONS, Setting, dispersion
 from rkverify.stability.printed import PrintedQuadratic
 
 M = Multiprecision(30)

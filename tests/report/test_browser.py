@@ -14,7 +14,7 @@ from playwright.sync_api import Browser, sync_playwright
 from rkverify.paths import checkout
 from rkverify.workflow.discovery import study_names
 
-PAGES = ["index", "ledger", *study_names(checkout())]
+PAGES = ["index", "ledger", "stability", *study_names(checkout())]
 FLAGS = ["--disable-background-networking", "--disable-component-update", "--disable-sync", "--no-first-run"]
 
 pytestmark = pytest.mark.browser

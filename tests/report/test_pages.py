@@ -16,7 +16,7 @@ from rkverify.paths import checkout
 from rkverify.workflow.discovery import study_names
 
 STUDIES = study_names(checkout())
-PAGES = ["index", "ledger", *STUDIES]
+PAGES = ["index", "ledger", "stability", *STUDIES]
 
 
 def soup(pages: Path, name: str) -> BeautifulSoup:

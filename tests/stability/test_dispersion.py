@@ -13,7 +13,7 @@ from rkverify.paper import printed_semi_lagrangian as semi
 from rkverify.paper.notation import lattice_values
 from rkverify.paper.printed_lagrangian import b_hat, omega_squared
 from rkverify.paper.shape import DERIVATIVES
-from rkverify.stability.dispersion import Branch, Setting, dispersion
+from rkverify.stability.layers import Branch, Setting, dispersion
 
 KH = ["1/10", "1/2", "1", "2", "3"]
 M = Multiprecision(30)

@@ -11,9 +11,9 @@ from rkverify.arithmetic.multiprecision import Multiprecision
 from rkverify.arithmetic.native import Exact, Float
 from rkverify.errors import BadInput, UnknownName
 from rkverify.readings import Readings
-from rkverify.stability.dispersion import Setting, dispersion
 from rkverify.stability.jacobian_paper import linearise
 from rkverify.stability.lattice_state import Base
+from rkverify.stability.layers import Setting, dispersion
 from rkverify.stability.simulate import fitting_wave
 
 SETTINGS = [

@@ -12,9 +12,9 @@ from rkverify.errors import BadInput
 from rkverify.readings import Readings
 from rkverify.stability import limits
 from rkverify.stability.conditioning import irregular_spectrum, periodic_spectrum
-from rkverify.stability.dispersion import Setting, dispersion
 from rkverify.stability.jacobian_paper import linearise
 from rkverify.stability.lattice_state import Base
+from rkverify.stability.layers import Setting, dispersion
 
 F = Fraction
 K = Exact()

@@ -8,7 +8,7 @@ import pytest
 
 from rkverify.arithmetic.native import Exact
 from rkverify.errors import BadInput, NotDifferentiable, NotRepresentable, RkverifyError, TooFewNodes, UnknownName
-from rkverify.stability.dispersion import Setting, dispersion
+from rkverify.stability.layers import Setting, dispersion
 from rkverify.stability.printed import gradients_are_odd, stencil_half_width
 
 SEMI = Setting("semi-lagrangian", "scni", "3/2")

@@ -18,10 +18,10 @@ from rkverify.arithmetic.native import Exact
 from rkverify.errors import BadInput
 from rkverify.solid.chain import rates
 from rkverify.stability.at_rest import AtRest, at_rest
-from rkverify.stability.dispersion import Setting, dispersion
 from rkverify.stability.jacobian_paper import Stencil, linearise
 from rkverify.stability.jacobian_solid import base_chain
 from rkverify.stability.lagrangian import bar
+from rkverify.stability.layers import Setting, dispersion
 from rkverify.stability.side_by_side import ANALYTIC, Case, lagrangian_rows, semi_lagrangian_rows
 from rkverify.stability.stability_sets import FORMULATIONS, motion_rows
 from rkverify.stability.surveys import frequency, growth, roots_over

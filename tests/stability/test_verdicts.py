@@ -4,7 +4,7 @@ from math import pi
 
 import pytest
 
-from rkverify.stability.dispersion import Setting, dispersion
+from rkverify.stability.layers import Setting, dispersion
 from rkverify.stability.verdicts import cutoff_force, largest_growth, late_frequency, measured_growth, measured_row
 
 
