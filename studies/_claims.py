@@ -15,7 +15,10 @@ NONE, ALL, SOME = "no setting", "every setting", "at least one setting"
 
 @dataclass(frozen=True)
 class Claim:
-    """Entries, what is claimed, the settings (a choice of rows), how many are to be unstable, layers, and the reading."""
+    """Entries, what is claimed, the settings (a choice of rows), how many are to be unstable, layers, and the reading.
+
+    decides: False where the rule being met leaves nothing that the claim could be about.
+    """
 
     name: str
     about: tuple[str, ...]
@@ -25,6 +28,7 @@ class Claim:
     layers: Sequence[str]
     reading: str = ""
     column: str = "unstable"
+    decides: bool = True
 
 
 def number(frame: "pd.DataFrame", column: str) -> "pd.Series[float]":
@@ -39,19 +43,28 @@ def rows(
     still: bool | None = None,
     derivative: str = "",
     ratios: Sequence[str] = (),
+    with_n: bool = False,
+    frame: bool = False,
 ) -> Callable[["pd.DataFrame"], "pd.DataFrame"]:
-    """A choice of rows by the tangent modulus' stress; still: only without a velocity gradient, or only with one."""
+    """A choice of rows by the tangent modulus' stress.
 
-    def chosen(frame: "pd.DataFrame") -> "pd.DataFrame":
-        keep = (frame["formulation"] == formulation) & (frame["integration"] == integration)
-        keep &= (number(frame, "stress_ratio") + number(frame, "stretch") ** 2 - 1).map(stress)
+    still: only without a velocity gradient, or only with one; with_n: only with N; frame: only at nodes in motion, which
+    are left out otherwise.
+    """
+
+    def chosen(table: "pd.DataFrame") -> "pd.DataFrame":
+        keep = (table["formulation"] == formulation) & (table["integration"] == integration)
+        keep &= (number(table, "stress_ratio") + number(table, "stretch") ** 2 - 1).map(stress)
+        keep &= (table["V"] != "0") == frame
+        if with_n:
+            keep &= table["convective"].astype(bool)
         if derivative:
-            keep &= frame["derivative"] == derivative
+            keep &= table["derivative"] == derivative
         if ratios:
-            keep &= frame["support_ratio"].isin(list(ratios))
+            keep &= table["support_ratio"].isin(list(ratios))
         if still is not None:
-            keep &= (number(frame, "Q") == 0) == still
-        return frame[keep]
+            keep &= (number(table, "Q") == 0) == still
+        return table[keep]
 
     return chosen
 
@@ -73,15 +86,15 @@ def _statement(claim: Claim, layer: str, part: "pd.DataFrame") -> Statement:
     size = "growth" if claim.column == "unstable" else claim.column
     told = f"{len(hit)} of {len(part)} settings {word}"
     moving = part[number(part, "Q") != 0]
-    if claim.wants == NONE and hit.empty and not moving.empty:
+    if claim.wants == NONE and size == "growth" and hit.empty and not moving.empty:
         share = moving[size] / (number(moving, "Q") * number(moving, "spacing")).abs()
         told += f", the largest growth {share.max():.3g}|Q|"
     if not hit.empty:
         top = hit.loc[hit[size].idxmax()]
-        means = "growth" if size == "growth" else "|Im omega|"
+        means, where = ("growth", f", kh = {top['kh']:.3g}") if size == "growth" else ("|Im omega|", "")
         told += (
             f", the most with {means} h/c = {top[size]:.3g} (R = {top['support_ratio']}, stress ratio {top['stress_ratio']}, "
-            f"Q h/c = {float(Fraction(top['Q']) * Fraction(top['spacing'])):g}, kh = {top['kh']:.3g})"
+            f"Q h/c = {float(Fraction(top['Q']) * Fraction(top['spacing'])):g}{where})"
         )
     holds = {NONE: hit.empty, ALL: len(hit) == len(part), SOME: not hit.empty}[claim.wants]
     margin = (
@@ -94,7 +107,7 @@ def _statement(claim: Claim, layer: str, part: "pd.DataFrame") -> Statement:
         key,
         claim.about,
         f"{claim.says}: the rule asks for {claim.wants} {word}; found: {told}.",
-        bool(holds),
+        bool(holds) if claim.decides or not holds else None,
         _tried(part),
         "sampled",
         margin,

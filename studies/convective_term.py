@@ -156,7 +156,7 @@ def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
     uniform = tables["uniform_stress"].frame.set_index("integration")["force"].map(Fraction)
     moduli = tables["moduli"].frame
     span = f"R = {', '.join(p.support_ratios)}; cubic kernel, linear basis"
-    star = sums["base_acceleration_psi_star"].map(Fraction)
+    star, of_rates = sums["base_acceleration_psi_star"].map(Fraction), sums["sum_psi_star"].map(Fraction)
     still = {
         c: motions.loc["rigid translation", c] == "0" and (motions.loc[motions.index[1:], c] != "0").all()
         for c in ("psi_star", "true")
@@ -248,7 +248,8 @@ def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
             f"On the base v = V + Q x, on which no force acts, (65) with Psi* gives the acceleration kappa Q V with kappa = {star.iloc[0]} "
             f"(R = {p.support_ratios[0]}) to {star.iloc[-1]} (R = {p.support_ratios[-1]}): a common velocity changes the motion, the equations are "
             "not Galilean invariant and momentum is not kept. With the true rate kappa = 0.",
-            balanced and bool((sums["common_velocity_psi_star"].map(Fraction) == star).all()),
+            balanced
+            and bool((sums["common_velocity_psi_star"].map(Fraction) == star).all() and (star == -of_rates).all()),
             span,
             "exact",
             routes=("sums of the rates", "acceleration of the base", "response to a common velocity"),

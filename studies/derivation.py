@@ -91,6 +91,8 @@ def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
     literal = frame[(frame["link"] == "(65) -> (86)") & (frame["under"] == "C(h/2) literal")]
     dni = frame[(frame["link"] == "(74) -> (81)") & ~frame["under"].str.startswith("B_I")]
     relation = frame[frame["link"] == "(65) -> (87)"]
+    alone = frame[frame["under"].str.startswith("B_I")].groupby("under", sort=False)["comes_out"].all()
+    rebuilt = [under.partition("; ")[2] for under in alone[alone].index]
     dropped = "Psi_I times the change of Psi*_J dropped"
     statements = [
         Statement(
@@ -184,7 +186,7 @@ def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
             "dni",
             ("E81", "C47"),
             f"None of {len(dni) // len(p.support_ratios)} readings of stress law, derivative and cell measure gives the stress terms of (81): the nearest is off by {dni['lost'].min():.3g}. "
-            "They come out when B_I(x_K) is varied as a function of x_K - x_I alone, as if the moment matrix at x_K moved along: the change of the correction with the other nodes is lost.",
+            "What is lost is the change of the correction with the other nodes: varied as a function of x_K - x_I alone, B_I(x_K) gives (81).",
             bool(dni.groupby("under")["comes_out"].all().any()),
             narrow,
             "exact",
@@ -206,8 +208,9 @@ def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
         Statement(
             "dni_reproduced",
             ("E80",),
-            "The term with Psi,xx of (81) is sum_K B~_I(x_K) sigma a_K with B_I(x_K) a function of x_K - x_I alone: Psi,xx must then be the derivative of Psi,x at the neighbouring node.",
-            comes_out("(74) -> (81)", "B_I(x_K) varied as a function of x_K - x_I alone"),
+            f"All stress terms of (81) come out to the last rational when B_I(x_K) is varied as a function of x_K - x_I alone, its slope taken by duals on the fixed lattice, in: {'; '.join(rebuilt)}. "
+            "Psi,xx is then the slope of Psi,x at the neighbouring node.",
+            bool(rebuilt),
             narrow,
             "exact",
             routes=("printed stencil rebuilt",),

@@ -339,8 +339,8 @@ def _unstable_statements(ends: Any, R: Any, exact_limit: bool, tried: str) -> li
             Statement(
                 f"unphysical_{layer}",
                 ("C53",),
-                "The linearised equations at rest have exactly the continuum's long waves, so that for C + sigma < 0 they grow at its rate: a stable discrete system, which would be unphysical, does not arise.",
-                exact_limit,
+                "The linearised equations at rest have exactly the continuum's long waves, so that for C + sigma < 0 they grow at its rate: a stable discrete system, which would be unphysical, does not arise, and the claim has nothing to be about.",
+                None if exact_limit else False,
                 f"{tried}; full and diffuse derivative, Q = 0",
                 "exact",
                 layer=layer,

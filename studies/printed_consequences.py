@@ -89,8 +89,16 @@ def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
         proved(
             "real_roots",
             ("C39",),
-            "B and C of (77) are real, so that D >= 0 is the condition for two real roots omega.",
+            "B and C of (77) are real, so that D > 0 is the condition for two different real roots omega, whose waves keep their amplitude.",
             follows("(79) is the discriminant of (77)", "(85) is the discriminant of (83)"),
+            "D > 0",
+        ),
+        proved(
+            "double_root",
+            ("C39",),
+            "Where D = 0 both roots are the same, and t e^{i omega t} is a solution beside e^{i omega t}: omega is real, and the wave grows without bound.",
+            not consequences.double_root_drifts(),
+            "D = 0",
         ),
         proved(
             "non_negative",

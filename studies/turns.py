@@ -5,9 +5,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from rkverify.certify.tension_window import window_rows
 from rkverify.certify.turn_tables import agreement_rows, profile_rows, range_rows, turn_rows
 from rkverify.readings import Derivative
-from rkverify.workflow.compare import Exact, Numeric
+from rkverify.workflow.compare import Certified, Exact, Numeric
 from rkverify.workflow.study import Drawing, Statement, Study, Tables, table
 from rkverify.workflow.style import LINES, new_figure
 
@@ -24,11 +25,20 @@ class Parameters:
     range_ratios: tuple[str, ...] = tuple(str(Fraction(n, 10)) for n in range(11, 41))
     other_range_ratios: tuple[str, ...] = tuple(str(Fraction(n, 4)) for n in range(5, 17))
     samples: int = 200
+    window_tenths: tuple[int, int] = (15, 31)
+    tensions_at: tuple[str, ...] = ("5/2", "3", "7/2")
     decided_kernel: str = "cubic"
     decided_upper: str = "2"
 
 
-QUICK = Parameters(kernels=("cubic",), printed=("diffuse",), shown=("3/2", "7/4"), range_ratios=("5/2",), samples=20)
+QUICK = Parameters(
+    kernels=("cubic",),
+    derivatives=("full",),
+    printed=("diffuse",),
+    shown=("3/2", "7/4"),
+    range_ratios=("5/2",),
+    samples=20,
+)
 
 
 def compute(p: Parameters) -> Tables:
@@ -78,6 +88,24 @@ def compute(p: Parameters) -> Tables:
             ],
             "The state at kh = pi over R.",
             Numeric(1e-11, 0, "exact rationals, rounded once when they are printed"),
+        ),
+        "window": table(
+            window_rows(p.kernels, range(*p.window_tenths), p.tensions_at),
+            [
+                ("kernel", "", "of class C2"),
+                ("window_end", "1", "R beyond which some wave grows at a high enough tension, rounded"),
+                ("kh", "rad", "of that wave"),
+                *(
+                    (
+                        f"greatest_at_{R.replace('/', '_')}",
+                        "1",
+                        f"greatest sigma/C^sigma at R = {R} at which no wave grows",
+                    )
+                    for R in p.tensions_at
+                ),
+            ],
+            "DNI with the full derivative at rest: where the supports end at which every tension is stable.",
+            Certified(),
         ),
         "stress_range": table(
             range_rows(p.range_ratios, (p.decided_kernel,), p.derivatives, p.samples)
@@ -187,6 +215,23 @@ def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
             for name, about in (("sign_decides", "C49"), ("tensile_instability", "C60"))
             for layer in ("as-defined", "consistent")
         ]
+    end = tables["window"].frame.set_index("kernel").loc[p.decided_kernel]
+    start = _turns(tables["turns"].frame, "method", p.decided_kernel, p.derivatives[0])
+    statements += [
+        Statement(
+            f"tension_window_{layer}",
+            ("C50", "C71"),
+            f"For {start[0]:.10g} < R < {float(end['window_end']):.10g} DNI at rest is stable in every tension; from there on a wave near kh = {float(end['kh']):.3g} grows at high tension "
+            f"({', '.join(f'sigma/C above {float(end[column]):.4g} at R = {R}' for R, column in zip(p.tensions_at, end.index[2:], strict=True) if end[column] != 'none')}).",
+            False,
+            f"{p.decided_kernel} kernel, linear basis, Q = 0; zeros of exact polynomials",
+            "exact",
+            layer=layer,
+            reading=f"{p.derivatives[0]} derivative, {start[0]:.4g} < R < {float(end['window_end']):.4g}",
+        )
+        for layer in ("as-defined", "consistent")
+        if start
+    ]
     return statements
 
 

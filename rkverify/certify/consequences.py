@@ -188,3 +188,19 @@ def stress_sign_alone_decides() -> bool:
 def is_even_in(expression: sympy.Expr, symbol: sympy.Symbol) -> bool:
     """Whether the expression does not change with the symbol's sign, for all values."""
     return bool(reduced(expression - expression.subs(symbol, -symbol)) == 0)
+
+
+def real_frequencies_keep_amplitudes() -> bool:
+    """Whether |e^{i omega t}| = 1 for all real omega and t."""
+    omega, t = sympy.symbols("omega t", real=True)
+    return bool(sympy.Abs(sympy.exp(sympy.I * omega * t)) == 1)
+
+
+def double_root_drifts() -> bool:
+    """Whether with D = 0 t e^{i omega t} solves the equation of motion that has the polynomial of (77), beside e^{i omega t}.
+
+    The polynomial omega^2 + B omega + C stands for -u'' - i B u' + C u = 0.
+    """
+    t, B = sympy.symbols("t B", real=True)
+    u = t * sympy.exp(-sympy.I * B / 2 * t)
+    return bool(sympy.simplify(-sympy.diff(u, t, 2) - sympy.I * B * sympy.diff(u, t) + B**2 / 4 * u) == 0)

@@ -9,14 +9,17 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
 
+from rkverify.arithmetic.dual import Duals
 from rkverify.arithmetic.multiprecision import Multiprecision
 from rkverify.arithmetic.native import Exact
 from rkverify.paper import printed_lagrangian as lagrangian_print
 from rkverify.paper import printed_semi_lagrangian as semi_print
-from rkverify.paper.approximation import lattice
+from rkverify.paper.approximation import approximation, lattice, middle
+from rkverify.paper.gradients import direct_gradient
 from rkverify.paper.notation import lattice_values
 from rkverify.paper.perturbed_equation import convective_terms, lagrangian_acceleration
 from rkverify.paper.printed_semi_lagrangian import State
+from rkverify.paper.shape import shape_gradient
 from rkverify.readings import Derivative, HalfPoint, Integration, Readings
 from rkverify.stability.jacobian_paper import linearise
 from rkverify.stability.lagrangian import StretchedBar, stencil
@@ -109,23 +112,55 @@ def printed_convective_part(R: Fraction, Q: Fraction) -> Printed:
     )
 
 
-def pairwise_geometric_part(R: Fraction, s: Fraction, derivative: Derivative = "full") -> Coefficients:
-    """sum_K B~_I(x_K) sigma a_K with B_I(x_K) varied as a function of x_K - x_I alone, its moment matrix carried along."""
-    Psi_xx = lattice_values(1, R, K, derivative=derivative).Psi_xx_h
-    total: Coefficients = {}
-    for n in (-1, 1):
-        total[n] = total.get(n, Fraction(0)) + s * Psi_xx
-        total[0] = total.get(0, Fraction(0)) - s * Psi_xx
-    return nonzero(total)
+def defined_convective_part(R: Fraction, Q: Fraction) -> Printed:
+    """The terms that N with Psi* adds to the linearised (65): with it less without it."""
+    parts = []
+    for column in ("x", "v"):
+        both = [linearise(Base(R, Readings("scni", c), 0, Q), K).stencil["v", column] for c in ("psi-star", "none")]
+        shifts = both[0].keys() | both[1].keys()
+        zero = Fraction(0)
+        parts.append(nonzero({n: both[1].get(n, zero) - both[0].get(n, zero) for n in shifts}))
+    return Printed(*parts)
 
 
-def printed_geometric_part(R: Fraction, s: Fraction, derivative: Derivative = "full") -> Coefficients:
-    """The term with Psi,xx of (81) as printed: what is left of (81) when the term with (C + sigma) is taken away."""
-    whole = printed_stencil("dni", R, s, Fraction(0), derivative=derivative).displacement
-    slope = lattice_values(1, R, K, derivative=derivative).Psi_x_h
-    material = {-2: -(1 + s) * slope**2, 0: 2 * (1 + s) * slope**2, 2: -(1 + s) * slope**2}
+def pairwise_slopes(R: Fraction, derivative: Derivative) -> Coefficients:
+    """n -> the derivative of B_I(x_K) with respect to x_K, x_K - x_I = n h, while the lattice and its moments stay."""
+    A = lattice(1, R, 3, K)
+    D = Duals(K, 1)
+    moved = approximation([[D.number(x) for x in node] for node in A.nodes], D.number(R), D)
+    I = middle(A)
+    found: Coefficients = {}
+    for n in (-1, 0, 1):
+        B = shape_gradient(moved, (D.variable(A.nodes[I + n][0], 0),), 0, derivative)
+        found[n] = B[I].partials[0]
+    return found
+
+
+def rebuilt_81(readings: Readings, R: Fraction, s: Fraction) -> Coefficients:
+    """The stress terms of (74) with B_I(x_K) varied as a function of x_K - x_I alone; every other term kept.
+
+    sum_K B~ sigma a_K + B sigma~ a_K + B sigma a~_K over m_I: sigma~ from the rate of stress, a~_K from the edges.
+    """
     zero = Fraction(0)
-    return nonzero({n: whole.get(n, zero) - material.get(n, zero) for n in whole.keys() | material.keys()})
+    A = lattice(1, R, 3, K)
+    slope = {n: direct_gradient(A, A.nodes[middle(A) + n], readings.derivative)[middle(A)] for n in (-1, 0, 1)}
+    tangent = 1 + s if readings.stress_law == "truesdell" else Fraction(1)
+    total: Coefficients = {}
+
+    def add(n: int, value: Fraction) -> None:
+        total[n] = total.get(n, zero) + value
+
+    for n, g in pairwise_slopes(R, readings.derivative).items():
+        add(n, s * g)
+        add(0, -s * g)
+    for n, B in slope.items():
+        for m, other in slope.items():
+            # Node I + n - m lies as far from cell K = I + n as node I from cell I + m.
+            add(n - m, tangent * B * other)
+        if readings.cell_measure == "edges":
+            add(n + 1, s * B / 2)
+            add(n - 1, -s * B / 2)
+    return nonzero(total)
 
 
 def relation_error(

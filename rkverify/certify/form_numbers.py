@@ -19,16 +19,14 @@ from rkverify.stability.printed import PrintedQuadratic
 def error_rows(found: Forms, count: int, seed: int, s: Fraction, Q: Fraction, digits: int) -> list[Row]:
     """The forms against the linearisation at many digits at random R: `count` for each form, all over its range.
 
-    A form that holds on both sides of R = 3/2 has half of them on each. What N adds is checked with SCNI and with DNI;
-    with the diffuse derivative, which it does not know of, a tenth of the ratios confirm that.
+    A form that holds on both sides of R = 3/2 has half of them on each. What N adds is checked with SCNI and with DNI.
     """
     rows = []
     convections: list[Convection] = ["none", *found.convective]
     for j, (f, convection) in enumerate(product(found.stress, convections)):
         readings = Readings(f[0], convection, f[1])
         sides = ["low", "high"] if f[0] == "dni" else [f[2]]
-        wanted = count if f[1] == "full" or convection == "none" else -(-count // 10)
-        ratios = [R for side in sides for R in forms.random_ratios(side, -(-wanted // len(sides)), seed + j)]
+        ratios = [R for side in sides for R in forms.random_ratios(side, -(-count // len(sides)), seed + j)]
         error = forms.largest_error(readings, f[2], ratios, s, Q, digits, found.of(f, convection))
         rows.append(
             {

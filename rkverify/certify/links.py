@@ -8,15 +8,15 @@ from rkverify.certify.derivation import (
     Coefficients,
     Printed,
     convective_part,
+    defined_convective_part,
     defined_stencil,
     lagrangian_link,
-    pairwise_geometric_part,
     printed_convective_part,
-    printed_geometric_part,
     printed_stencil,
+    rebuilt_81,
     relation_error,
 )
-from rkverify.readings import Readings
+from rkverify.readings import DERIVATIVES, CellMeasure, Readings, StressLaw
 
 Row = dict[str, Any]
 ZERO = Fraction(0)
@@ -51,7 +51,7 @@ def convective_rows(ratios: Sequence[Fraction], Q: Fraction) -> list[Row]:
     rows = []
     for R in ratios:
         printed = printed_convective_part(R, Q)
-        defined = defined_stencil(Readings("scni", "psi-star"), R, ZERO, Q)
+        defined = defined_convective_part(R, Q)
         rows += [
             _row("(65) -> (73)", R, "N in (75) against every term of N", _apart(printed, defined)),
             _row(
@@ -83,6 +83,8 @@ def stress_rows(ratios: Sequence[Fraction], s: Fraction) -> list[Row]:
                     distance(printed.displacement, defined.displacement),
                 )
             )
+            if half == "edge":
+                rows += _rebuilt_rows(R, s)
         for law in ("truesdell", "cauchy-rate", "literal"):
             for measure in ("edges", "fixed"):
                 for derivative in ("full", "diffuse", "frozen-b", "frozen"):
@@ -99,12 +101,21 @@ def stress_rows(ratios: Sequence[Fraction], s: Fraction) -> list[Row]:
                         )
                     )
                     rows.append(_row("(74) -> (81)", R, f"{law}, {derivative}, measure {measure}", lost))
-        rows.append(
-            _row(
-                "(74) -> (81)",
-                R,
-                "B_I(x_K) varied as a function of x_K - x_I alone",
-                distance(pairwise_geometric_part(R, s), printed_geometric_part(R, s)),
-            )
-        )
+    return rows
+
+
+def _rebuilt_rows(R: Fraction, s: Fraction) -> list[Row]:
+    """(81) rebuilt: B_I(x_K) varied as a function of x_K - x_I alone, in two readings of the rest of (74)."""
+    rows = []
+    rest: list[tuple[StressLaw, CellMeasure]] = [
+        ("cauchy-rate", "edges"),
+        ("truesdell", "fixed"),
+        ("truesdell", "edges"),
+    ]
+    for law, measure in rest:
+        for derivative in DERIVATIVES:
+            readings = Readings("dni", "none", derivative, law, cell_measure=measure)
+            printed = printed_stencil("dni", R, s, ZERO, derivative=derivative).displacement
+            under = f"B_I(x_K) a function of x_K - x_I alone; {law}, {derivative}, measure {measure}"
+            rows.append(_row("(74) -> (81)", R, under, distance(rebuilt_81(readings, R, s), printed)))
     return rows

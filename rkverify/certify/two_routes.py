@@ -73,7 +73,9 @@ def stencil_rows(ratios: Sequence[str], s: str, Q: str, V: str, only: Sequence[s
 
 def _apart(one: jacobian_paper.Stencil, other: jacobian_paper.Stencil) -> float:
     largest = max(abs(c) for part in other.values() for c in part.values())
-    gaps = [abs(one[key].get(n, 0.0) - c) for key, part in other.items() for n, c in part.items()]
+    gaps = [
+        abs(one[key].get(n, 0.0) - other[key].get(n, 0.0)) for key in other for n in one[key].keys() | other[key].keys()
+    ]
     return float(max(gaps) / largest)
 
 

@@ -2,7 +2,8 @@
 
 A definition is confirmed by its routes, or fails where one of them disagrees. Any other entry is decided layer by
 layer; in a layer it holds where every statement holds, holds under a reading where all statements of that reading
-do and those of another do not, fails where no reading saves it, and is open without a statement. As a whole it is
+do and those of another do not, fails where no reading saves it, and is open without a statement. Where every reading
+that was tried holds, the readings are named. As a whole it is
 open while a layer is; where layers differ, the state says so.
 """
 
@@ -81,7 +82,7 @@ def verdict(evidence: Iterable[Evidence]) -> tuple[str, str]:
     readings = sorted({s.reading for s in statements if s.reading})
     good = [r for r in readings if all(s.holds for s in statements if s.reading == r)]
     if len(good) == len(readings):
-        return HOLDS, ""
+        return HOLDS, "; ".join(readings)
     if good:
         return READING, "; ".join(good)
     return FAILS, "under every reading: " + "; ".join(readings)

@@ -9,7 +9,7 @@ from rkverify.arithmetic.base import Arithmetic
 from rkverify.arithmetic.multiprecision import Multiprecision
 from rkverify.arithmetic.native import Exact, rational
 from rkverify.stability.lagrangian import StretchedBar, stencil
-from rkverify.stability.layers import Setting, dispersion
+from rkverify.stability.layers import Branch, Setting, dispersion
 from rkverify.stability.side_by_side import SEVERAL
 
 Row = dict[str, Any]
@@ -39,19 +39,21 @@ def described(setting: Setting) -> Row:
         "stretch": str(setting.stretch),
         "Q": str(setting.velocity_gradient),
         "spacing": str(setting.spacing),
+        "V": str(setting.frame_velocity),
     }
 
 
 def largest_growth(setting: Setting, samples: int) -> Row:
-    """The largest growth h/c over kh and where; how far from real the frequencies are; unstable: growth beyond 3 |Q|.
+    """The largest growth h/c over kh and where; how far from real the moving roots are; unstable: growth beyond 3 |Q|.
 
     A base in motion changes as fast as waves with less growth do, so that frozen coefficients decide nothing there.
     """
     h, Q = float(rational(setting.spacing)), abs(float(rational(setting.velocity_gradient)))
     branches = dispersion(setting, waves(samples))
+    count, Q0 = len(branches) // samples, float(rational(setting.velocity_gradient))
     fastest = max(branches, key=lambda b: b.omega.growth)
     growth = float(fastest.omega.growth) * h
-    imaginary = max(abs(float(b.omega.im)) for b in branches) * h
+    imaginary = max(_imaginary(branches[j : j + count], Q0) for j in range(0, len(branches), count)) * h
     return {
         **described(setting),
         "growth": growth if growth > ROUNDING else 0.0,
@@ -59,6 +61,12 @@ def largest_growth(setting: Setting, samples: int) -> Row:
         "imaginary": imaginary if imaginary > ROUNDING else 0.0,
         "unstable": growth > SEVERAL * Q * h + ROUNDING,
     }
+
+
+def _imaginary(roots: Sequence[Branch], Q: float) -> float:
+    """The largest |Im omega| of the two roots that move: a third one, omega = -i Q, is the stress carried along."""
+    distance = sorted(roots, key=lambda b: -abs(complex(b.omega.re, b.omega.im) + 1j * Q))
+    return max(abs(float(b.omega.im)) for b in distance[:2])
 
 
 def growth_rows(settings: Iterable[Setting], samples: int) -> list[Row]:
@@ -94,7 +102,7 @@ def measured_row(setting: Setting, kh: float) -> Row:
     """A measured wave beside its eigenvalue and the printed root: growth of the unstable ones, frequency of the others.
 
     The eigenvalue comes from the transcription by duals, the measurement from the vectorised equations. printed is empty
-    where the paper prints no relation, and factor is printed over computed.
+    where the paper prints no relation; factor is printed over computed, empty where that is zero.
     """
     simulated = dispersion(replace(setting, layer="simulated"), [kh])
     at = float(simulated[0].kh)
@@ -106,14 +114,14 @@ def measured_row(setting: Setting, kh: float) -> Row:
     if not (setting.formulation == "lagrangian" and setting.integration == "dni"):
         printed = _of_kind(replace(setting, layer="printed"), at, unstable)
     return {
-        **{k: v for k, v in described(setting).items() if k not in ("layer", "convective", "Q", "spacing")},
+        **{k: v for k, v in described(setting).items() if k not in ("layer", "convective", "Q", "spacing", "V")},
         "kernel": str(setting.kernel),
         "kh": at,
         "quantity": "growth" if unstable else "frequency",
         "measured": value,
         "computed": computed,
         "printed": printed,
-        "factor": None if printed is None else printed / computed,
+        "factor": None if printed is None or computed == 0 else printed / computed,
         "agrees": abs(value - computed) <= 1e-3 * abs(computed),
     }
 

@@ -14,6 +14,7 @@ from io import StringIO
 from itertools import zip_longest
 from typing import Any, ClassVar
 
+CURVE = re.compile(r' d="([^"]*)"')
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 
 
@@ -137,9 +138,19 @@ class Numeric(_ByCell):
         return f"apart by {float(gap):.3g}, allowed {float(allowed):.3g}"
 
 
+def _rectangle(curve: str) -> str:
+    """The least and the largest x and y of a curve's points."""
+    numbers = [float(n) for n in NUMBER.findall(curve)]
+    x, y = numbers[::2], numbers[1::2]
+    return f"{min(x)} {max(x)} {min(y)} {max(y)}" if x and y else ""
+
+
 @dataclass(frozen=True)
 class Visual(Comparison):
-    """The same drawing: text and structure alike, and every number in it within a tolerance."""
+    """The same drawing: text and elements alike, and every number in it within a tolerance.
+
+    A curve of another number of points, as where rounding moves the border of a map, must fill the same rectangle.
+    """
 
     tolerance: float
     why: str
@@ -147,13 +158,28 @@ class Visual(Comparison):
 
     def differences(self, committed: str, recomputed: str) -> list[Difference]:
         """The first place where the drawings differ."""
-        if NUMBER.sub("#", committed) != NUMBER.sub("#", recomputed):
+        old, new = self._comparable(committed, recomputed)
+        if NUMBER.sub("#", old) != NUMBER.sub("#", new):
             return [Difference("structure", "", "", "the drawings have different elements or words")]
-        for place, (a, b) in enumerate(zip(NUMBER.findall(committed), NUMBER.findall(recomputed), strict=True)):
+        for place, (a, b) in enumerate(zip(NUMBER.findall(old), NUMBER.findall(new), strict=True)):
             gap = abs(float(a) - float(b))
             if gap > self.tolerance:
                 return [Difference(f"number {place}", a, b, f"apart by {gap:.3g}, allowed {self.tolerance:.3g}")]
         return []
+
+    @staticmethod
+    def _comparable(committed: str, recomputed: str) -> tuple[str, str]:
+        """The drawings with the rectangle in place of each curve that has another number of points in the other."""
+        curves = [CURVE.findall(text) for text in (committed, recomputed)]
+        if len(curves[0]) != len(curves[1]):
+            return committed, recomputed
+        redrawn = [NUMBER.sub("#", a) != NUMBER.sub("#", b) for a, b in zip(*curves, strict=True)]
+
+        def rectangles(text: str) -> str:
+            each = iter(redrawn)
+            return CURVE.sub(lambda m: f' d="{_rectangle(m[1])}"' if next(each) else m[0], text)
+
+        return rectangles(committed), rectangles(recomputed)
 
 
 @dataclass(frozen=True)

@@ -32,6 +32,7 @@ SETTINGS: dict[Any, Any] = {
     "axes.spines.right": False,
     "axes.axisbelow": True,
     "lines.linewidth": 1.5,
+    "path.simplify": False,  # which points a curve can do without is a matter of rounding
     "legend.frameon": False,
     "legend.handlelength": 2.8,
     "hatch.linewidth": 0.6,

@@ -28,6 +28,7 @@ from rkverify.certify.kernel_forms import in_kernel_values, names_of_kernel
 from rkverify.errors import BadInput
 from rkverify.kernels import kernel
 from rkverify.readings import Readings
+from rkverify.stability.lattice_state import Base
 
 F = Fraction
 S, Q = F(1, 3), F(1, 5)
@@ -107,13 +108,34 @@ def test_75_comes_out_when_the_direction_is_dropped_and_only_then(R: Fraction) -
 
 
 @pytest.mark.decides("C47", "E81")
-@pytest.mark.parametrize("derivative", ["full", "diffuse", "frozen-b", "frozen"])
-def test_81_comes_out_with_the_moment_matrix_carried_along(derivative: str) -> None:
-    R = F(7, 4)
-    printed = derivation.printed_geometric_part(R, S, derivative)
-    assert derivation.pairwise_geometric_part(R, S, derivative) == printed
-    rows = [row for row in links.stress_rows([R], S) if row["link"].startswith("(74) -> (81)")]
-    assert [row["under"] for row in rows if row["comes_out"]] == ["B_I(x_K) varied as a function of x_K - x_I alone"]
+@pytest.mark.parametrize("R", [F(11, 10), F(7, 4)])
+def test_81_comes_out_with_the_moment_matrix_carried_along_and_only_then(R: Fraction) -> None:
+    """The slope of B_I is taken by duals with the lattice fixed: nothing of the print enters the rebuilt stencil."""
+    rows = [row for row in links.stress_rows([R], S) if row["link"] == "(74) -> (81)"]
+    found = {row["under"].rpartition("alone; ")[2] for row in rows if row["comes_out"]}
+    assert all("alone" in row["under"] for row in rows if row["comes_out"])
+    assert found == {
+        f"{rest}, measure {measure}"
+        for derivative in ("full", "diffuse")
+        for rest, measure in ((f"cauchy-rate, {derivative}", "edges"), (f"truesdell, {derivative}", "fixed"))
+    }
+
+
+@pytest.mark.decides("E76", "E82")
+@pytest.mark.parametrize("convection", ["psi-star", "true"])
+@pytest.mark.parametrize(
+    "change", [{}, {"node_motion": "field"}, {"mass": "consistent"}, {"support_radius": "spacing"}]
+)
+def test_no_reading_gives_the_printed_terms_of_n(convection: str, change: dict[str, str]) -> None:
+    """Among them the rates of the velocities, odd in the shift in print, even in the equations, whatever the reading."""
+    for R in (F(3, 2), F(7, 4)):
+        printed = derivation.printed_convective_part(R, Q).velocity
+        velocity = derivation.linearise(Base(R, Readings("scni", convection, **change), 0, Q), Exact()).stencil[
+            "v", "v"
+        ]
+        assert {n: -c for n, c in velocity.items()} != printed
+        assert all(printed.get(-n) == -c for n, c in printed.items())
+        assert all(velocity.get(-n, 0) == c for n, c in velocity.items())
 
 
 def test_the_forms_hold_wherever_no_decision_changes() -> None:

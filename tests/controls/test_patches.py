@@ -9,6 +9,7 @@ import pytest
 PAPER = "rkverify/paper"
 SEMI = f"{PAPER}/printed_semi_lagrangian.py"
 BAR = f"{PAPER}/printed_lagrangian.py"
+CHAIN = f"{PAPER}/semi_lagrangian_equations.py"
 
 # study, file, right, wrong, entries whose state must change
 CASES = {
@@ -69,6 +70,21 @@ CASES = {
     ),
     "(78), the sign of the term in Q": (
         "figure5", SEMI, "return -4 * q.Q**2", "return 4 * q.Q**2", ["F5", "C44"],
+    ),
+    "(67), without the measure of the cell": (
+        "two_routes", CHAIN, "b[node] * self.stress(K, state) * self.measure(K, state)", "b[node] * self.stress(K, state)",
+        ["E65", "E66", "E67", "E69"],
+    ),
+    "(50), without the traction": (
+        "two_routes", f"{PAPER}/lagrangian_equations.py", "at_boundary.get(node, self.K.zero()) * h0", "self.K.zero() * h0",
+        ["E50"],
+    ),
+    "(66), Psi_I left out": (
+        "convective_term", CHAIN, "self.masses[K] * Psi[node] * rate", "self.masses[K] * rate", ["E65"],
+    ),
+    "the sign of the internal force in the other route": (
+        "stability_layers", "rkverify/solid/chain.py", "internal = B_measure.T @ stress", "internal = -(B_measure.T @ stress)",
+        ["C42", "C45", "C59", "C71"],
     ),
 }  # fmt: skip
 

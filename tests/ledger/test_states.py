@@ -22,7 +22,7 @@ VERDICTS = {
     "T F": (FAILS, ""),
     "T N": (UNDECIDABLE, "says None"),
     "F N": (FAILS, ""),  # what is refuted is refuted, whatever else cannot be decided
-    "Ta Tb": (HOLDS, ""),
+    "Ta Tb": (HOLDS, "a; b"),
     "Ta Fb": (READING, "a"),
     "Ta Tb Fc": (READING, "a; b"),
     "Ta Ta Fb": (READING, "a"),

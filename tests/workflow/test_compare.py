@@ -24,6 +24,10 @@ FAMILY = {
     "absolute": (Numeric(0, 1e-3, WHY), "x,y\n1,0\n", "x,y\n1,9e-4\n", "x,y\n1,-2e-3\n", "row 1, column y", "apart by 0.002"),
     "numeric, text": (Numeric(1, 1, WHY), "x\nyes\n", "x\nyes\n", "x\nno\n", "row 1, column x", "same text"),
     "visual": (Visual(0.05, WHY), '<path d="M 1 2"/>', '<path d="M 1 2.04"/>', '<path d="M 1 2.06"/>', "number 1", "apart by 0.06"),
+    "visual, a point more": (
+        Visual(0.05, WHY), '<path d="M 1 2 L 3 4"/>', '<path d="M 1 2 L 2 2.5 L 3 4"/>', '<path d="M 1 2 L 2 2.5 L 3 4.1"/>',
+        "number 3", "apart by 0.1",
+    ),
     "visual, words": (Visual(0.05, WHY), "<text>a</text>", "<text>a</text>", "<text>b</text>", "structure", "words"),
     "visual, colour": (Visual(0.05, WHY), 'fill="#009E73"', 'fill="#009E73"', 'fill="#009E74"', "number 0", "allowed 0.05"),
     "record, margin": (Record(1e-3, WHY), RECORD, RECORD.replace("2.0", "2.001"), RECORD.replace("2.0", "2.01"), "margin", "apart by"),
