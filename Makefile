@@ -25,15 +25,15 @@ install: .venv/installed ## create .venv from requirements.lock (2 min)
 	$(BIN)/python -m pip install --quiet --no-deps --no-build-isolation --editable .
 	touch $@
 
-reproduce: install ## compute every table and figure and build the report (1 min; 2 s if nothing changed)
+reproduce: install ## compute every table and figure and build the report (3 min; 2 s if nothing changed)
 	$(RUN) run
 	$(RUN) report
 
-smoke: install ## reproduce in a quick form, under .rkverify/quick (20 s)
+smoke: install ## reproduce in a quick form, under .rkverify/quick (40 s)
 	$(RUN) run --quick
 	$(RUN) report --quick
 
-test: install ## the tests, property tests in their quick profile (7 min)
+test: install ## the tests, property tests in their quick profile (5 min)
 	$(BIN)/python -m pytest -n auto
 
 property: install ## the property tests as in CI: derandomised, no deadline, no database (2 min)

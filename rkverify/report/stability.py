@@ -3,6 +3,7 @@
 import csv
 import re
 import tomllib
+from collections.abc import Callable
 from dataclasses import dataclass
 from importlib.resources import files
 from typing import Any
@@ -10,7 +11,7 @@ from typing import Any
 from rkverify.errors import BadInput
 from rkverify.ledger.entries import entries
 from rkverify.ledger.states import STATES, Evidence, State
-from rkverify.paths import Checkout
+from rkverify.paths import Checkout, checkout
 from rkverify.report.content import Site, StudyPage, state_css, statement
 
 LONG = re.compile(r"-?\d*\.\d{5,11}(e-?\d+)?")
@@ -37,20 +38,32 @@ def plan() -> dict[str, Any]:
 
 
 def sections(place: Checkout, site: Site) -> list[Section]:
-    """The parts of the page that the results at hand can fill.
+    """The parts of the page, as the plan has them; a quick run shows what its smaller parameters left of them.
 
     Raises BadInput where the plan names a study's figure, table or statement that the study does not have.
     """
     pages = {study.name: study for study in site.studies}
+    quick = place.state == checkout().quick().state
+
+    def each(names: list[str], find: Callable[[str], dict[str, Any]]) -> list[dict[str, Any]]:
+        found = []
+        for name in names:
+            try:
+                found.append(find(name))
+            except BadInput:
+                if not quick:
+                    raise
+        return found
+
     found = []
     for part in plan()["section"]:
         found.append(
             Section(
                 part["title"],
                 part["text"],
-                [_figure(pages, name) for name in part["figures"]],
-                [_statement(site.evidence, name) for name in part["statements"]],
-                [_table(place, pages, name) for name in part.get("tables", [])],
+                each(part["figures"], lambda name: _figure(pages, name)),
+                each(part["statements"], lambda name: _statement(site.evidence, name)),
+                each(part.get("tables", []), lambda name: _table(place, pages, name)),
                 part["command"],
             )
         )

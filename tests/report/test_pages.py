@@ -3,6 +3,7 @@
 A reader without sight, network or JavaScript gets what these properties promise and nothing else does.
 """
 
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 from urllib.parse import unquote
@@ -10,9 +11,11 @@ from urllib.parse import unquote
 import pytest
 from bs4 import BeautifulSoup
 
+from rkverify.errors import BadInput
 from rkverify.ledger.entries import entries
 from rkverify.ledger.states import states
 from rkverify.paths import checkout
+from rkverify.report import content, stability
 from rkverify.workflow.discovery import study_names
 
 STUDIES = study_names(checkout())
@@ -73,3 +76,21 @@ def test_the_ledger_page_shows_the_computed_state_of_every_entry(pages: Path) ->
     for name in entries():
         row = page.find("tr", id=name)
         assert row.find(class_="state").get_text() == computed[name].name
+
+
+def test_the_stability_page_names_what_studies_have_and_nothing_else(
+    pages: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A figure, table or statement that vanished from a study must not vanish from the page in silence; a quick run may lack it."""
+    place = checkout()
+    site = content.gather(place)
+    shown = sum(len(part["figures"]) + len(part["statements"]) for part in stability.plan()["section"])
+    found = stability.sections(place, site)
+    assert sum(len(part.figures) + len(part.statements) for part in found) == shown
+    plan = stability.plan()
+    plan["section"][0]["statements"].append("derivation/no_such_statement")
+    monkeypatch.setattr(stability, "plan", lambda: plan)
+    with pytest.raises(BadInput, match="no_such_statement"):
+        stability.sections(place, site)
+    lacking = stability.sections(replace(place, state=place.quick().state), site)
+    assert sum(len(part.figures) + len(part.statements) for part in lacking) == shown
