@@ -217,20 +217,24 @@ def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
         ]
     end = tables["window"].frame.set_index("kernel").loc[p.decided_kernel]
     start = _turns(tables["turns"].frame, "method", p.decided_kernel, p.derivatives[0])
+    ranges = tables["stress_range"].frame
+    between = ranges["support_ratio"].map(lambda R: bool(start) and start[0] < _ratio(R) < float(end["window_end"]))
+    chosen = ranges[(ranges["kernel"] == p.decided_kernel) & (ranges["derivative"] == p.derivatives[0]) & between]
+    at, inside = list(chosen["support_ratio"]), list(chosen["highest"])
     statements += [
         Statement(
             f"tension_window_{layer}",
             ("C50", "C71"),
-            f"For {start[0]:.10g} < R < {float(end['window_end']):.10g} DNI at rest is stable in every tension; from there on a wave near kh = {float(end['kh']):.3g} grows at high tension "
+            f"For {start[0]:.10g} < R < {float(end['window_end']):.10g} no tension makes a wave grow with DNI at rest at {inside.count('none')} of {len(inside)} R; from there on a wave near kh = {float(end['kh']):.3g} grows at high tension "
             f"({', '.join(f'sigma/C above {float(end[column]):.4g} at R = {R}' for R, column in zip(p.tensions_at, end.index[2:], strict=True) if end[column] != 'none')}).",
-            False,
-            f"{p.decided_kernel} kernel, linear basis, Q = 0; zeros of exact polynomials",
+            any(highest != "none" for highest in inside),
+            f"{p.decided_kernel} kernel, linear basis, Q = 0; zeros of exact polynomials, and the ranges of stress at R = {', '.join(at)}",
             "exact",
             layer=layer,
             reading=f"{p.derivatives[0]} derivative, {start[0]:.4g} < R < {float(end['window_end']):.4g}",
         )
         for layer in ("as-defined", "consistent")
-        if start
+        if inside
     ]
     return statements
 

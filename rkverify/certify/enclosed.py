@@ -28,16 +28,6 @@ def bounds(x: Guarded) -> tuple[float, float]:
     return lower - 1e-15 * abs(lower), upper + 1e-15 * abs(upper)
 
 
-def surely_negative(x: Guarded) -> bool:
-    """Whether every number of the enclosure is negative."""
-    return x.home.surely_positive(-x)
-
-
-def contains_zero(x: Guarded) -> bool:
-    """Whether the enclosure does not decide the sign."""
-    return not x.home.surely_positive(x) and not x.home.surely_positive(-x)
-
-
 def half_wave_numbers(samples: int, K: Ball) -> list[Guarded]:
     """kh = j pi / samples for j = 1, …, samples, as enclosures."""
     return [K.pi() * j / samples for j in range(1, samples + 1)]

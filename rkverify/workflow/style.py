@@ -1,5 +1,6 @@
 """How figures look: colours that keep apart in grey print and for colour-blind readers, and SVG that is reproducible."""
 
+import re
 from io import StringIO
 from math import pi
 from typing import TYPE_CHECKING, Any
@@ -18,6 +19,9 @@ LINES: tuple[dict[str, Any], ...] = (
     {"color": "#CC79A7", "linestyle": (0, (3, 1, 1, 1, 1, 1))},
     {"color": "#E69F00", "linestyle": (0, (8, 2))},
 )
+HASHED = re.compile(r"(?<=[\"#])([a-z])[0-9a-f]{10}(?=[\")])")
+"""A name that Matplotlib gives, where it is defined or referred to."""
+
 POSITIVE, NEGATIVE = "#DDE8F0", "#E8A06A"
 
 SETTINGS: dict[Any, Any] = {
@@ -88,11 +92,17 @@ def sign_key(figure: "FigureBase", positive: str, negative: str, line: str) -> N
     )
 
 
+def _numbered_names(text: str) -> str:
+    """The drawing with its clip paths and markers named in order: their own names are hashes of unrounded coordinates."""
+    names: dict[str, str] = {}
+    return HASHED.sub(lambda m: names.setdefault(m[0], f"{m[1]}{len(names)}"), text)
+
+
 def svg(figure: "Figure", title: str, alternative: str) -> str:
     """The figure as SVG text, the same for the same data, with its title and its alternative text inside."""
     stream = StringIO()
     figure.savefig(stream, format="svg", metadata={"Date": None, "Creator": None})
-    text = stream.getvalue()
+    text = _numbered_names(stream.getvalue())
     start = text.index("<svg")
     end = text.index(">", start)
     words = f'\n <title id="t">{escape(title)}</title>\n <desc id="d">{escape(alternative)}</desc>'

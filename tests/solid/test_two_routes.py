@@ -10,20 +10,11 @@ import numpy as np
 import pytest
 
 from rkverify.arithmetic.native import Float
+from rkverify.certify.two_routes import reading_changes
 from rkverify.kernels import KERNELS, kernel
 from rkverify.paper.approximation import approximation
 from rkverify.paper.shape import shape_functions, shape_gradient
-from rkverify.readings import (
-    CELL_EDGES,
-    CELL_MEASURES,
-    CONVECTIONS,
-    DERIVATIVES,
-    MASSES,
-    NODE_MOTIONS,
-    STRESS_LAWS,
-    SUPPORT_RADII,
-    Readings,
-)
+from rkverify.readings import DERIVATIVES, Readings
 from rkverify.solid.line import line
 from rkverify.stability import jacobian_paper, jacobian_solid
 from rkverify.stability.lagrangian import StretchedBar, stencil, stencil_by_complex_step
@@ -32,26 +23,12 @@ from rkverify.stability.lattice_state import Base
 RATIOS = ("11/10", "3/2", "7/4", "2", "5/2", "7/2")
 TOLERANCE = 30 * 300 * 2.0**-52
 
-# Each reading by itself, from the defaults; and all together in the last.
-CHANGES = [
-    *({"convection": c} for c in CONVECTIONS),
-    *({"derivative": d} for d in DERIVATIVES),
-    *({"stress_law": s} for s in STRESS_LAWS),
-    *({"node_motion": m} for m in NODE_MOTIONS),
-    *({"cell_edges": e} for e in CELL_EDGES),
-    *({"cell_measure": m} for m in CELL_MEASURES),
-    *({"support_radius": a} for a in SUPPORT_RADII),
-    *({"mass": m} for m in MASSES),
-    {"support_radius": "spacing", "mass": "consistent", "convection": "true"},
-    {"node_motion": "field", "cell_edges": "material", "cell_measure": "material", "convection": "true"},
-]
-
 
 @pytest.mark.decides("E65", "E66", "E67", "E69")
 @pytest.mark.parametrize("integration", ["scni", "dni"])
 @pytest.mark.parametrize("ratio", RATIOS)
 def test_stencils_from_duals_and_from_complex_steps_agree(ratio: str, integration: str) -> None:
-    for change in CHANGES:
+    for change in reading_changes().values():
         base = Base(ratio, Readings(integration, **change), "1/3", "1/5", frame_velocity="1/7")
         one, other = jacobian_paper.linearise(base, Float()).stencil, jacobian_solid.stencil(base)
         largest = max(abs(c) for part in other.values() for c in part.values())

@@ -3,6 +3,7 @@
 A measured growth decides on the linearisation: nothing of it enters the measurement.
 """
 
+from dataclasses import replace
 from math import cos, pi, sin
 
 import pytest
@@ -40,6 +41,19 @@ def test_measured_roots_are_the_eigenvalues(integration: str, R: str, s: str, kh
     for layer in ("consistent", "simulated"):
         for one, other in zip(of_layer[layer], of_layer["as-defined"], strict=True):
             assert abs(one - other) <= 1e-3 * size, layer
+
+
+@pytest.mark.decides("C2", "C42")
+def test_seen_from_a_moving_node_psi_star_splits_the_frequencies() -> None:
+    """At rest roots come in pairs, and a wrong sign of omega would not show; here it would."""
+    setting = Setting("semi-lagrangian", "scni", "3/2", stress_ratio="1/2", frame_velocity="1")
+    found = {}
+    for layer in ("as-defined", "simulated"):
+        branches = dispersion(replace(setting, layer=layer), [pi / 6])
+        found[layer] = sorted((b.omega.re, b.omega.growth) for b in branches)
+    assert abs(found["as-defined"][0][0] + found["as-defined"][1][0]) > 0.1
+    for one, other in zip(found["simulated"], found["as-defined"], strict=True):
+        assert abs(complex(*one) - complex(*other)) <= 1e-3 * abs(complex(*other))
 
 
 def test_the_lagrangian_bar_is_measured_as_well() -> None:
