@@ -55,7 +55,7 @@ def schedule(tasks: list[Task], processes: int) -> Outcome:
     """Do what is not current; a task that fails does not keep the others from running."""
     outcome = Outcome()
     if processes > 1 and hasattr(os, "register_at_fork"):
-        os.register_at_fork(after_in_child=_end_with_parent)
+        os.register_at_fork(before=_remember_parent, after_in_child=_end_with_parent)
     with tempfile.TemporaryDirectory() as folder:
         loader = _Loader(tasks, str(Path(folder) / "doit.db"), outcome)
         parallel = ["-n", str(processes)] if processes > 1 else []
@@ -111,11 +111,21 @@ def _in_child(action: Callable[[], None], sender: connection.Connection) -> None
         sender.send("")
 
 
+_forking = os.getpid()  # the process that forks, as its child must find it
+
+
+def _remember_parent() -> None:
+    global _forking
+    _forking = os.getpid()
+
+
 def _end_with_parent() -> None:
     """Have Linux end this process with its parent, from its very start on."""
     if sys.platform == "linux":
         set_death_signal = 1  # PR_SET_PDEATHSIG of prctl(2)
         ctypes.CDLL(None).prctl(set_death_signal, signal.SIGKILL)
+        if os.getppid() != _forking:  # the parent ended before the signal was asked for, and none will come
+            os._exit(1)
 
 
 def _leave_with_parent() -> None:

@@ -153,8 +153,13 @@ runpy.run_module("rkverify", run_name="__main__")
 """
 
 
-def test_a_worker_that_waits_for_its_first_task_leaves_too(slow, tmp_path, tools):
-    running = Running(tools.copy(slow, tmp_path / "small checkout"), ("-c", LATE))
+# The same with workers that do nothing in their first moments, in which their parent can end unseen.
+SLEEPY = "import os, time\nos.register_at_fork(after_in_child=lambda: time.sleep(1))\n" + LATE
+
+
+@pytest.mark.parametrize("program", [LATE, SLEEPY], ids=["waits for its first task", "has just been forked"])
+def test_a_worker_leaves_too_when_it(program, slow, tmp_path, tools):
+    running = Running(tools.copy(slow, tmp_path / "small checkout"), ("-c", program))
     running.wait_for("workers start")
     end(running, "kill main")
     try:
