@@ -15,6 +15,8 @@ CellMeasure = Literal["edges", "material", "fixed"]
 SupportRadius = Literal["fixed", "spacing"]
 Mass = Literal["lumped", "consistent"]
 Integration = Literal["scni", "dni"]
+NodalIntegration = Literal["scni", "dni", "snni"]
+Window = Literal["radial", "tensor"]
 
 DERIVATIVES: tuple[Derivative, ...] = get_args(Derivative)
 """Readings of the derivative of a shape function.
@@ -31,6 +33,18 @@ CELL_MEASURES: tuple[CellMeasure, ...] = get_args(CellMeasure)
 SUPPORT_RADII: tuple[SupportRadius, ...] = get_args(SupportRadius)
 MASSES: tuple[Mass, ...] = get_args(Mass)
 INTEGRATIONS: tuple[Integration, ...] = get_args(Integration)
+NODAL_INTEGRATIONS: tuple[NodalIntegration, ...] = get_args(NodalIntegration)
+"""scni: over the conforming cells; dni: direct, at the node; snni: over boxes about the nodes that do not conform."""
+WINDOWS: tuple[Window, ...] = get_args(Window)
+"""radial: phi(|x - x_I| / a_I); tensor: the product over the axes of phi(|x_j - x_jI| / a_I)."""
+
+
+def known_window(name: str) -> Window:
+    """The window of that name; raises UnknownName."""
+    for window in WINDOWS:
+        if window == name:
+            return window
+    raise UnknownName("window", name, WINDOWS)
 
 
 @dataclass(frozen=True)
