@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from rkverify.stability.side_by_side import ANALYTIC, SEVERAL, Row
+from rkverify.stability.side_by_side import ANALYTIC, BOUNDS, SEVERAL, Row
 from rkverify.workflow.compare import Numeric
 from rkverify.workflow.study import Table, Tables, table
 from rkverify.workflow.style import LINES, kh_axis, new_figure
@@ -21,7 +21,7 @@ def layer_table(rows: Sequence[Row], caption: str) -> Table:
         ("uncertain_below", "1", "bound on the uncertainty of a measured growth h/c, 0 where nothing is measured"),
     ]
     why = "double precision: a double root moves by the square root of rounding, a measured one by its uncertainty"
-    return table(rows, columns, caption, Numeric(0, 2e-6, why))
+    return table(rows, columns, caption, Numeric(0, BOUNDS[0], why))
 
 
 def draw_layers(tables: Tables, spacing: float, gradients: Sequence[str]) -> Any:
@@ -104,8 +104,8 @@ def gap(tables: Tables, case: str, layer: str, other: str, Q: str) -> float:
 
 
 def within(value: float) -> str:
-    """A difference, or the bound 2e-6 that the table is compared with where it is below."""
-    return f"{value:.3g}" if value > 2e-6 else "less than 2e-6"
+    """A difference, or the bound that the table is compared with where it is below."""
+    return f"{value:.3g}" if value > BOUNDS[0] else f"less than {BOUNDS[0]:g}"
 
 
 def at_rest_sentences(tables: Tables) -> str:

@@ -19,8 +19,8 @@ SEVERAL = 3
 """Frozen growths up to this many |Q| are left open: the base changes as fast as such a wave grows."""
 
 ANALYTIC: tuple[Layer, ...] = ("printed", "as-defined", "consistent")
-BOUNDS = (1e-6, 1e-4, 1e-2, 1.0)
-"""Round numbers below which the uncertainty of a measurement is said to be."""
+BOUNDS = (1e-5, 1e-3, 1e-1, 1.0)
+"""Round numbers below which the uncertainty of a measurement is said to be; what is found here is some 1e-6 at most."""
 
 
 @dataclass(frozen=True)

@@ -32,6 +32,9 @@ SAMPLES = 41
 LARGEST_CHAIN = 96
 GROWTH_LIMIT = 1e2
 
+OTHERS_LIMIT = 1e-2
+"""What other waves may reach, in the wave's amplitude: they grow from rounding, and their squares act on the wave."""
+
 
 @dataclass(frozen=True)
 class Measured:
@@ -46,6 +49,17 @@ def fitting_wave(kh: float, least: int) -> tuple[int, int]:
     """Nodes N and periods n of the chain whose wave number 2 pi n / N comes nearest to kh."""
     candidates = [(N, round(kh * N / (2 * pi))) for N in range(least, LARGEST_CHAIN + 1)]
     return min(candidates, key=lambda c: (round(abs(2 * pi * c[1] / c[0] - kh), 12), c[0]))
+
+
+def _room(velocities: Array, kh: float, push: float) -> float:
+    """How far the wave is from too large a growth, or other waves from being felt, in units of velocity."""
+    wave = np.exp(1j * kh * np.arange(len(velocities)))
+    # Waves kh and -kh are one where their sum is a whole turn, as at kh = pi.
+    real = np.stack([wave.real, wave.imag], axis=1)
+    own = real @ np.linalg.lstsq(real, velocities, rcond=None)[0]
+    return min(
+        GROWTH_LIMIT * push - float(abs(velocities).max()), OTHERS_LIMIT * push - float(abs(velocities - own).max())
+    )
 
 
 def _amplitudes(motions: list[Motion], start: Motion, kh: float) -> Array:
@@ -82,8 +96,7 @@ def measure(base: Base, kh: float) -> Measured:
     interval = _interval(chain, start, still, fitted, AMPLITUDE)
 
     def small(motion: Motion) -> float:
-        drift = motion.v - still.v
-        return GROWTH_LIMIT * AMPLITUDE - float(abs(drift).max())
+        return _room(motion.v - still.v, fitted, AMPLITUDE)
 
     times = [interval * j for j in range(SAMPLES)]
     motions = integrate(chain, start, times, RTOL, ACCURACY * AMPLITUDE, small)
@@ -142,7 +155,7 @@ def measure_flow(
     start[count : 2 * count] += push * np.cos(kh * nodes)
 
     def small(_: float, z: Array) -> float:
-        return GROWTH_LIMIT * push - float(abs(z[count : 2 * count]).max())
+        return _room(z[count : 2 * count], kh, push)
 
     small.terminal = True  # type: ignore[attr-defined]
     times = interval * np.arange(SAMPLES)

@@ -51,8 +51,8 @@ def largest_growth(setting: Setting, samples: int) -> Row:
     h, Q = float(rational(setting.spacing)), abs(float(rational(setting.velocity_gradient)))
     branches = dispersion(setting, waves(samples))
     count, Q0 = len(branches) // samples, float(rational(setting.velocity_gradient))
-    fastest = max(branches, key=lambda b: b.omega.growth)
-    growth = float(fastest.omega.growth) * h
+    fastest = _fastest(branches, ROUNDING / h)
+    growth = max(float(b.omega.growth) for b in branches) * h
     imaginary = max(_imaginary(branches[j : j + count], Q0) for j in range(0, len(branches), count)) * h
     return {
         **described(setting),
@@ -61,6 +61,12 @@ def largest_growth(setting: Setting, samples: int) -> Row:
         "imaginary": imaginary if imaginary > ROUNDING else 0.0,
         "unstable": growth > SEVERAL * Q * h + ROUNDING,
     }
+
+
+def _fastest(branches: Sequence[Branch], within: float) -> Branch:
+    """The branch of the largest growth; of those that come within a tolerance of it the first, whatever rounding says."""
+    largest = max(b.omega.growth for b in branches)
+    return next(b for b in branches if b.omega.growth >= largest - within)
 
 
 def _imaginary(roots: Sequence[Branch], Q: float) -> float:
@@ -77,8 +83,9 @@ def growth_rows(settings: Iterable[Setting], samples: int) -> list[Row]:
 def measured_growth(setting: Setting, kh: Sequence[float]) -> Row:
     """The largest growth h/c measured over some waves, as a row of `largest_growth`."""
     branches = dispersion(replace(setting, layer="simulated"), kh)
-    fastest = max(branches, key=lambda b: b.omega.growth)
-    growth = float(fastest.omega.growth) * float(rational(setting.spacing))
+    h = float(rational(setting.spacing))
+    fastest = _fastest(branches, NOTICED / h)
+    growth = max(float(b.omega.growth) for b in branches) * h
     seen = growth > NOTICED
     return {
         **described(replace(setting, layer="simulated")),
