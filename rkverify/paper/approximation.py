@@ -6,12 +6,14 @@ The nodes are X_I for the Lagrangian approximation (8)-(11) and x(X_I, t) for th
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any, TypeVar
 
 from rkverify.arithmetic.base import Arithmetic, Scalar
 from rkverify.errors import BadInput, CoincidentNodes
 from rkverify.kernels import Kernel, kernel
 from rkverify.paper.numbered import equation
+from rkverify.readings import Window, known_window
 
 Vector = tuple[Scalar, ...]
 T = TypeVar("T")
@@ -22,7 +24,8 @@ T = TypeVar("T")
 class Approximation:
     """Nodes x_I (NP, d) and support radii a_I (NP,) in units of length, kernel phi_a, order n, arithmetic K.
 
-    The distance measure (26) is z = |x - x_I| / a_I, with the support owned by the node I.
+    The distance measure (26) is z = |x - x_I| / a_I, with the support owned by the node I. With the tensor window every
+    axis has one of its own, z_j = |x_j - x_jI| / a_I, and phi_a is the product of the kernels of these.
     """
 
     nodes: tuple[Vector, ...]
@@ -30,6 +33,7 @@ class Approximation:
     kernel: Kernel
     order: int
     K: Arithmetic
+    window: Window = "radial"
     memo: dict[tuple[str, int], tuple[Any, Any]] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     def once(self, what: str, x: Vector, make: Callable[[], T]) -> T:
@@ -55,12 +59,32 @@ class Approximation:
         """z = |x - x_I| / a_I (26)."""
         return self.K.norm(self.offset(x, node)) / self.supports[node]
 
+    @cached_property
+    def axes(self) -> tuple["Approximation", ...]:
+        """The approximations in one dimension whose kernels are the factors of the tensor window, one for each axis."""
+        return tuple(
+            Approximation(tuple((node[j],) for node in self.nodes), self.supports, self.kernel, self.order, self.K)
+            for j in range(self.dimension)
+        )
+
+    def distances(self, x: Vector, node: int) -> tuple[Scalar, ...]:
+        """The one z (26) of the radial window, or z_j = |x_j - x_jI| / a_I of every axis for the tensor window."""
+        if self.window == "radial":
+            return (self.distance(x, node),)
+        return tuple(self.K.absolute(y) / self.supports[node] for y in self.offset(x, node))
+
+    def covers(self, x: Vector, node: int) -> bool:
+        """Whether x lies surely inside the support of the node."""
+        return all(self.K.surely_positive(1 - z) for z in self.distances(x, node))
+
     def neighbours(self, x: Vector) -> list[int]:
         """The nodes whose support may reach x; at all others the kernel is zero with all its derivatives."""
         everyone = range(len(self.nodes))
-        return self.once(
-            "neighbours", x, lambda: [J for J in everyone if not self.K.surely_positive(self.distance(x, J) - 1)]
-        )
+
+        def outside(J: int) -> bool:
+            return any(self.K.surely_positive(z - 1) for z in self.distances(x, J))
+
+        return self.once("neighbours", x, lambda: [J for J in everyone if not outside(J)])
 
     def point(self, *coordinates: Scalar) -> Vector:
         """The point with these coordinates, as numbers of this approximation's arithmetic."""
@@ -69,7 +93,7 @@ class Approximation:
     def at(self, positions: Sequence[Vector], supports: Sequence[Scalar] | None = None) -> "Approximation":
         """The same approximation with its nodes at other positions, and with other supports where these change too."""
         radii = self.supports if supports is None else tuple(supports)
-        return Approximation(tuple(positions), radii, self.kernel, self.order, self.K)
+        return Approximation(tuple(positions), radii, self.kernel, self.order, self.K, self.window)
 
 
 def approximation(
@@ -78,13 +102,14 @@ def approximation(
     K: Arithmetic,
     kernel_name: str | Kernel = "cubic",
     order: int = 1,
+    window: Window = "radial",
 ) -> Approximation:
     """An approximation on checked nodes (NP, d) with one support radius for all, or one for each node.
 
-    kernel_name: the name of a kernel, or a kernel.
+    kernel_name: the name of a kernel, or a kernel. window: radial, or tensor, where all distances are rational.
 
     Raises BadInput for no nodes, mixed dimensions, a support that is not positive or an order other than
-    0, 1, 2; CoincidentNodes; UnknownName for the kernel.
+    0, 1, 2; CoincidentNodes; UnknownName for the kernel or the window.
     """
     if not nodes:
         raise BadInput("there are no nodes: give at least one")
@@ -103,9 +128,8 @@ def approximation(
         if not K.surely_positive(a):
             raise BadInput(f"node {node} has support radius {K.text(a)}: it must be positive")
     _refuse_coincident(points, K)
-    return Approximation(
-        points, supports, kernel(kernel_name) if isinstance(kernel_name, str) else kernel_name, order, K
-    )
+    chosen = kernel(kernel_name) if isinstance(kernel_name, str) else kernel_name
+    return Approximation(points, supports, chosen, order, K, known_window(window))
 
 
 def _refuse_coincident(points: tuple[Vector, ...], K: Arithmetic) -> None:

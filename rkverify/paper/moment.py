@@ -34,7 +34,7 @@ def moment_matrix(A: Approximation, x: Vector) -> Matrix:
     for node in A.neighbours(x):
         H = basis(A.offset(x, node), A.order, A.K)
         terms.append((H, H, phi(A, x, node)))
-    covering = sum(A.K.surely_positive(1 - A.distance(x, node)) for node in A.neighbours(x))
+    covering = sum(A.covers(x, node) for node in A.neighbours(x))
     needed = len(basis(x, A.order, A.K))
     if covering < needed:
         raise TooFewNodes(
