@@ -1,0 +1,102 @@
+"""Points in blocks whose entries fit into the processor's cache, taken through the compiled stages one after another."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any, NoReturn
+
+import numpy as np
+
+from rkverify.errors import BadInput, SingularMomentMatrix, TooFewNodes
+from rkverify.solid.bases import basis_tables
+from rkverify.solid.cloud import Cloud, shown
+from rkverify.solid.compiled_shape import FEW, FINE, moment_stage
+from rkverify.solid.compiled_weights import kernel_stage, offset_stage, weight_stage
+from rkverify.solid.kernel_data import kernel_data
+from rkverify.solid.kernel_values import Array
+from rkverify.solid.neighbours import Neighbours
+
+_ENTRIES = 1 << 13
+
+
+@dataclass(frozen=True)
+class Block:
+    """Points first to last: scale (B,), scaled offsets (d, E), phi and its derivatives (1 + …, E), factors of M, b (B, m)."""
+
+    starts: Array
+    first: int
+    last: int
+    scale: Array
+    offsets: Array
+    weights: Array
+    factors: Array
+    b: Array
+
+    @property
+    def of_shape(self) -> tuple[Any, ...]:
+        """What the compiled stage of derivatives begins with."""
+        return (
+            self.starts, self.first, self.last, self.scale, self.offsets, self.weights, self.factors, self.b,
+        )  # fmt: skip
+
+
+def numbers(cloud: Cloud, points: Array) -> Array:
+    """The points in the number type of points and nodes together: complex where either is."""
+    return np.ascontiguousarray(points, np.result_type(points, cloud.positions))
+
+
+def blocks(cloud: Cloud, x: Array, known: Neighbours, derivatives: int, factorise: bool = True) -> Iterator[Block]:
+    """The points in blocks, each with the kernels' derivatives up to the given order and the factors of M (or M itself).
+
+    Arrays of a block are written over by the next. Raises TooFewNodes and SingularMomentMatrix, BadInput for neighbours of other points.
+    """
+    starts, nodes, d, tensor = known.starts, known.nodes, cloud.dimension, cloud.window == "tensor"
+    if len(known) != len(x):
+        raise BadInput(f"neighbours of {len(known)} points are given for {len(x)} points: give them of the same points")
+    if not len(x):
+        return
+    m, edges, count = basis_tables(d, cloud.order).size, _edges(starts), d if tensor else 1
+    positions, supports = np.ascontiguousarray(cloud.positions, x.dtype), np.ascontiguousarray(cloud.supports)
+    spans = list(pairwise(edges))
+    most, rows = max(int(starts[last] - starts[first]) for first, last in spans), int(np.diff(edges).max())
+    heights = [d, *[count] * 6, 1 + d + d * (d + 1) // 2]
+    room = [np.empty(height * most, x.dtype) for height in heights]
+    scale, factors, b = np.empty(rows), np.empty((rows, m * (m + 1) // 2), x.dtype), np.empty((rows, m), x.dtype)
+    data = kernel_data(cloud.kernel).arrays
+    offsets, weights_of, moments = offset_stage(d, tensor), weight_stage(d, tensor), moment_stage(d, cloud.order)
+    for first, last in spans:
+        here = int(starts[last] - starts[first])
+        y, z, f, g, s, left, power, weights = (
+            memory[: height * here].reshape(height, here) for memory, height in zip(room, heights, strict=True)
+        )
+        offsets(starts, nodes, x, positions, supports, first, last, scale, y, z)
+        kernel_stage(z.ravel(), derivatives, *data, *(part.ravel() for part in (f, g, s, left, power)))
+        weights_of(starts, nodes, supports, first, last, derivatives, scale, y, f, g, s, weights)
+        point, fault, number, rest = moments(starts, first, last, y, weights, factorise, factors, b)
+        if fault != FINE:
+            _refuse(cloud, x, point, fault, number, rest)
+        yield Block(starts, first, last, scale, y, weights, factors[: last - first], b)
+
+
+def _edges(starts: Array) -> list[int]:
+    edges = [0]
+    while edges[-1] < len(starts) - 1:
+        reached = int(np.searchsorted(starts, starts[edges[-1]] + _ENTRIES, "right")) - 1
+        edges.append(max(reached, edges[-1] + 1))
+    return edges
+
+
+def _refuse(cloud: Cloud, x: Array, point: int, fault: int, number: int, left: float) -> NoReturn:
+    place, m = f"point {point} at ({shown(x[point])})", basis_tables(cloud.dimension, cloud.order).size
+    if fault == FEW:
+        what = (
+            "lies in a gap that no node's support covers"
+            if number == 0
+            else f"is covered by the supports of {number} node{'s' * (number > 1)}"
+        )
+        raise TooFewNodes(f"{place} {what}; order {cloud.order} needs {m}: enlarge supports or add nodes there")
+    where = " (are the nodes under the support on one line or in one plane?)" if cloud.dimension > 1 else ""
+    raise SingularMomentMatrix(
+        f"the moment matrix of {place} is singular: pivot {number} keeps {left:.1e} of its diagonal entry{where}: "
+        "enlarge supports, move nodes or lower the order"
+    )
