@@ -10,7 +10,7 @@ export OPENBLAS_NUM_THREADS ?= 1
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 export PYTHONNOUSERSITE := 1
 
-.PHONY: help install reproduce smoke test property fuzz check lock notebooks report bench clean
+.PHONY: help install reproduce smoke test property fuzz check lock notebooks report bench peers clean
 
 help: ## list the targets (now)
 	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## (.*)$$/\1|\2/' | \
@@ -51,6 +51,9 @@ check: install ## formatter, linter, types and import rules (20 s)
 lock: install ## write requirements.lock anew from pyproject.toml, for maintainers (needs uv; 10 s)
 	uv pip compile pyproject.toml --extra dev --universal --python-version 3.11 --generate-hashes \
 	  --no-emit-index-url --no-annotate --no-header --quiet --output-file requirements.lock
+	for name in peers-build peers; do uv pip compile benchmarks/$$name.in --constraint benchmarks/peers-build.lock --universal \
+	  --python-version 3.11 --generate-hashes --no-emit-index-url --no-annotate --no-header --quiet \
+	  --output-file benchmarks/$$name.lock; done
 
 notebooks: install ## execute the notebooks into reports/notebooks (20 s)
 	$(BIN)/python -m rkverify run
@@ -62,6 +65,16 @@ report: install ## build reports/index.html from finished studies (1 s)
 
 bench: install ## measure the arithmetics beside each other into reports/benchmarks (1 min)
 	$(BIN)/python benchmarks/arithmetics.py
+
+peers: .venv-peers/installed ## build the packages we compare with and compute their numbers anew (20 min; 2 min later)
+	.venv-peers/bin/python benchmarks/peers/run.py
+
+# Two steps: pip builds from source without isolation, so that the tools of the build are pinned by hash as well.
+.venv-peers/installed: benchmarks/peers.lock benchmarks/peers-build.lock
+	$(PYTHON) -m venv .venv-peers
+	.venv-peers/bin/python -m pip install --quiet --require-hashes --requirement benchmarks/peers-build.lock
+	.venv-peers/bin/python -m pip install --quiet --require-hashes --no-build-isolation --requirement benchmarks/peers.lock
+	touch $@
 
 clean: ## remove .venv, caches and built pages; committed results stay (1 s)
 	rm -rf .venv .rkverify .mypy_cache .ruff_cache .import_linter_cache .hypothesis reports/*.html reports/style.css \
