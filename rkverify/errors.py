@@ -40,6 +40,10 @@ class Undecided(RkverifyError):
     """A decision that an enclosure is too wide to make."""
 
 
+class NotConverged(RkverifyError):
+    """An iteration that did not reach the accuracy that rounding allows."""
+
+
 class NeedsCheckout(RkverifyError):
     """A command that works on `studies/` was run without a checkout of the project."""
 
