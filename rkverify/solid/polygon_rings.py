@@ -10,14 +10,21 @@ from rkverify.errors import BadInput
 from rkverify.solid.cloud import shown
 from rkverify.solid.kernel_values import Array
 
-NO_AREA = 1e-12
-"""A ring with less area than this, relative to its longest side squared, has none but rounding."""
+ON_ONE_LINE = 1e-12
+"""A ring whose vertices are nearer to a line than this, relative to its length, has no area but rounding."""
 
 
 def ring_area(ring: Array) -> Any:
     """(1/2) sum_k x_k x x_(k+1), positive counter-clockwise, of a ring (n, 2), real or complex."""
     x, y = (ring - ring[0]).T
     return (x * np.roll(y, -1) - np.roll(x, -1) * y).sum() / 2
+
+
+def on_one_line(ring: Array) -> bool:
+    """Whether all vertices of a ring (n, 2) are on one line, but for rounding."""
+    x, y = (ring - ring[0]).T
+    far = np.argmax(np.hypot(x, y))
+    return bool(abs(x * y[far] - y * x[far]).max() <= ON_ONE_LINE * (x[far] ** 2 + y[far] ** 2))
 
 
 def checked_ring(ring: Any, name: str) -> Array:
@@ -43,6 +50,9 @@ def checked_ring(ring: Any, name: str) -> Array:
 
 def refuse_crossings(rings: Sequence[Array], name: str) -> None:
     """Raise BadInput, naming rings and vertices, where edges of rings cross, or a ring has no area; touching is fine between rings."""
+    for r, ring in enumerate(rings):
+        if on_one_line(ring):
+            raise BadInput(f"ring {r} {name} has no area: its vertices are on one line, from ({shown(ring[0])}) on")
     starts = np.concatenate([[0], np.cumsum([len(ring) for ring in rings])])
     ends = np.concatenate([np.stack([ring, np.roll(ring, -1, axis=0)], axis=1) for ring in rings])
     of_ring = np.repeat(np.arange(len(rings)), np.diff(starts))
@@ -69,6 +79,3 @@ def refuse_crossings(rings: Sequence[Array], name: str) -> None:
         raise BadInput(
             f"ring {r} {name} is not simple: its edge from vertex {f - starts[r]} meets {met} at ({place}): separate them"
         )
-    for r, ring in enumerate(rings):
-        if abs(ring_area(ring)) <= NO_AREA * np.ptp(ring, axis=0).max() ** 2:
-            raise BadInput(f"ring {r} {name} has no area: its vertices are on one line, from ({shown(ring[0])}) on")

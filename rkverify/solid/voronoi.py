@@ -41,10 +41,10 @@ def topology(positions: Any, domain: Box | Domain) -> Topology:
     """The topology of the Voronoi cells of nodes (N, d), d = 1, 2, for `moved`; zero-length facets are kept. Raises what voronoi does."""
     x = checked_positions(positions, "node")
     checked_domain(domain, x.shape[1])
-    refuse_coincident(x)
     refuse_outside(x, domain)
     if x.shape[1] == 2:
         return plane_topology(x.real, domain)
+    refuse_coincident(x)
     if not isinstance(domain, Box):
         raise BadInput("cells in one and in three dimensions are cut off at a Box: give one")
     return line_topology(x.real, domain)

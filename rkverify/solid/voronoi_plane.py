@@ -31,22 +31,20 @@ def plane_topology(positions: Array, domain: Box | Domain) -> Topology:
     angle = np.array([0.5, 0.5 + 2 / 3 * np.pi, 0.5 + 4 / 3 * np.pi])
     far = FAR * np.stack([np.cos(angle), np.sin(angle)], axis=1)
     x = np.concatenate([(positions - middle) / half, far])
-    triangles, neighbours = triangulated(x)
-    _refuse_left_out(positions, triangles)
+    triangles, neighbours, doubled = triangulated(x)
+    if doubled >= 0:
+        _refuse_doubled(positions, doubled)
     rings = tuple((ring - middle) / half for ring in domain.rings)
     met = walk(x, triangles, neighbours, count, rings)
     return _topology(x, triangles, neighbours, met, domain.rings, np.concatenate(rings))
 
 
-def _refuse_left_out(positions: Array, triangles: Array) -> None:
-    used = np.zeros(len(positions) + 3, dtype=bool)
-    used[triangles] = True
-    if not used.all():
-        node = int(np.flatnonzero(~used)[0])
-        other = int(np.argsort(((positions - positions[node]) ** 2).sum(axis=1))[1])
-        raise CoincidentNodes(
-            f"nodes {other} and {node} are both at ({shown(positions[node])}) to rounding: remove or move one of them"
-        )
+def _refuse_doubled(positions: Array, node: int) -> None:
+    other = int(np.argsort(((positions - positions[node]) ** 2).sum(axis=1))[1])
+    first, second = sorted([node, other])
+    raise CoincidentNodes(
+        f"nodes {first} and {second} are both at ({shown(positions[node])}), to rounding: remove or move one of them"
+    )
 
 
 @dataclass(frozen=True)
