@@ -9,6 +9,7 @@ from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
+from compyle.api import declare
 from pysph.base.kernels import CubicSpline, QuinticSpline, WendlandQuintic
 from pysph.base.utils import get_particle_array
 from pysph.sph.equation import Equation, Group
@@ -28,15 +29,15 @@ RADIUS = 2.2
 
 
 class Keep(Equation):
-    """Keep, for each pair, the corrected kernel and its gradient as they stand at the end of the loop."""
+    """Keep, for each pair, the corrected kernel and its gradient as they stand at the end of the loop; the method is translated to C as it stands."""
 
     def __init__(self, dest, sources, count, dim):
         self.count = count
         self.dim = dim
         super().__init__(dest, sources)
 
-    def loop(self, d_idx, s_idx, d_psi, d_slopes, d_cwij, WIJ, DWIJ):  # noqa: D102  translated to C, word for word
-        i = declare("int")  # noqa: F821  compyle's own word
+    def loop(self, d_idx, s_idx, d_psi, d_slopes, d_cwij, WIJ, DWIJ):
+        i = declare("int")
         d_psi[d_idx * self.count + s_idx] = d_cwij[d_idx] * WIJ
         for i in range(self.dim):
             d_slopes[(d_idx * self.count + s_idx) * self.dim + i] = DWIJ[i]
