@@ -16,7 +16,7 @@ from rkverify.solid.kernel_data import kernel_data
 from rkverify.solid.kernel_values import Array
 from rkverify.solid.neighbours import Neighbours
 
-_ENTRIES = 1 << 13
+_ENTRIES = 1 << 14
 
 
 @dataclass(frozen=True)
@@ -50,9 +50,14 @@ def blocks(cloud: Cloud, x: Array, known: Neighbours, derivatives: int, factoris
 
     Arrays of a block are written over by the next. Raises TooFewNodes and SingularMomentMatrix, BadInput for neighbours of other points.
     """
-    starts, nodes, d, tensor = known.starts, known.nodes, cloud.dimension, cloud.window == "tensor"
+    starts, nodes = (np.ascontiguousarray(part, np.int64) for part in (known.starts, known.nodes))
+    d, tensor = cloud.dimension, cloud.window == "tensor"
     if len(known) != len(x):
         raise BadInput(f"neighbours of {len(known)} points are given for {len(x)} points: give them of the same points")
+    if len(nodes) and not 0 <= nodes.min() <= nodes.max() < len(cloud):
+        raise BadInput(
+            f"neighbours from node {nodes.min()} to {nodes.max()} are given, the nodes run from 0 to {len(cloud) - 1}"
+        )
     if not len(x):
         return
     m, edges, count = basis_tables(d, cloud.order).size, _edges(starts), d if tensor else 1

@@ -36,12 +36,10 @@ def _kernel(
                 power[e] *= left[e]
         for e in range(len(z)):
             f[e] += power[e]
-    if derivatives >= 1:
-        for e in range(len(z)):
-            g[e] /= z[e]
-    if derivatives >= 2:
-        for e in range(len(z)):
-            s[e] = (s[e] - g[e]) / (z[e] * z[e])
+    for e in range(len(z)):
+        over = z[e] if z[e].real >= near and z[e].real > 0.0 else 1.0 + 0.0 * z[e]
+        g[e] /= over
+        s[e] = (s[e] - g[e]) / (over * over)
     if derivatives >= 1:
         for e in range(len(z)):
             if z[e].real < near or z[e].real == 0.0:
@@ -73,20 +71,21 @@ def offset_stage(d: int, tensor: bool) -> Callable[..., None]:
             for e in range(starts[p], starts[p + 1]):
                 a = max(a, supports[nodes[e]])
             scale[p - first] = a
+            per_a = 1.0 / a if a > 0.0 else 0.0
             for e in range(starts[p], starts[p + 1]):
                 J, i = nodes[e], e - origin
                 if tensor:
                     for k in range(d):
                         offset = points[p, k] - positions[J, k]
-                        y[k, i] = offset / a
+                        y[k, i] = offset * per_a
                         z[k, i] = (-offset if offset.real < 0 else offset) / supports[J]
                 else:
                     offset = points[p, 0] - positions[J, 0]
-                    y[0, i] = offset / a
+                    y[0, i] = offset * per_a
                     square, nonzero = offset * offset, offset.real != 0
                     for k in range(1, d):
                         offset = points[p, k] - positions[J, k]
-                        y[k, i] = offset / a
+                        y[k, i] = offset * per_a
                         square += offset * offset
                         nonzero |= offset.real != 0
                     z[0, i] = np.sqrt(square) / supports[J] if nonzero else 0.0
