@@ -24,18 +24,23 @@ def without_coincident(vertices: Array, ends: Array, sides: Array, domain: Box |
     short = (abs(x[a] - x[b]) <= ROUNDING * size) & (abs(y[a] - y[b]) <= ROUNDING * size)
     if not short.any():
         return vertices, ends, sides
-    joined = ends[short]
-    touched, pairs = np.unique(joined, return_inverse=True)
-    pairs = pairs.reshape(joined.shape)
-    graph = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(len(touched), len(touched)))
-    count, label = connected_components(graph, directed=False)
-    last = np.zeros(count, dtype=np.int64)
-    np.maximum.at(last, label, touched)
-    stands_for = np.arange(len(vertices))
-    stands_for[touched] = last[label]
+    stands_for = representatives(ends[short], len(vertices))
     ends = stands_for[ends]
     kept = ends[:, 0] != ends[:, 1]
     ends, sides = ends[kept], sides[kept]
     used = np.zeros(len(vertices), dtype=bool)
     used[ends] = True
     return vertices[used], (np.cumsum(used) - 1)[ends], sides
+
+
+def representatives(joined: Array, count: int) -> Array:
+    """For each of `count` vertices the last of those that pairs (P, 2) join to it."""
+    touched, pairs = np.unique(joined, return_inverse=True)
+    pairs = pairs.reshape(joined.shape)
+    graph = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(len(touched), len(touched)))
+    groups, label = connected_components(graph, directed=False)
+    last = np.zeros(groups, dtype=np.int64)
+    np.maximum.at(last, label, touched)
+    stands_for = np.arange(count)
+    stands_for[touched] = last[label]
+    return stands_for

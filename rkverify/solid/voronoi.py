@@ -11,8 +11,10 @@ from rkverify.solid.cells import Cells
 from rkverify.solid.cloud import checked_positions, refuse_coincident
 from rkverify.solid.coincident_vertices import without_coincident
 from rkverify.solid.domain import Box, Domain, checked_domain, refuse_outside
+from rkverify.solid.kernel_values import Array
 from rkverify.solid.voronoi_line import line_topology
 from rkverify.solid.voronoi_plane import plane_topology
+from rkverify.solid.voronoi_space import space_cells
 
 __all__ = ["moved", "rings", "topology", "voronoi"]
 
@@ -30,6 +32,10 @@ def voronoi(positions: Any, domain: Box | Domain) -> Cells:
     array([0.5, 0.5])
     """
     x = checked_positions(positions, "node")
+    if x.shape[1] == 3:
+        if np.iscomplexobj(x):
+            raise BadInput("the nodes are complex: in three dimensions there are cells at real positions alone")
+        return space_cells(x, _checked_box(x, domain))
     found = topology(x, domain)
     if np.iscomplexobj(x):
         return moved(found, x)
@@ -40,11 +46,18 @@ def voronoi(positions: Any, domain: Box | Domain) -> Cells:
 def topology(positions: Any, domain: Box | Domain) -> Topology:
     """The topology of the Voronoi cells of nodes (N, d), d = 1, 2, for `moved`; zero-length facets are kept. Raises what voronoi does."""
     x = checked_positions(positions, "node")
-    checked_domain(domain, x.shape[1])
+    if x.shape[1] == 3:
+        raise BadInput("no topology is kept of cells in three dimensions: ask for the cells of the moved nodes")
+    if x.shape[1] == 1:
+        return line_topology(x.real, _checked_box(x, domain))
+    checked_domain(domain, 2)
     refuse_outside(x, domain)
-    if x.shape[1] == 2:
-        return plane_topology(x.real, domain)
+    return plane_topology(x.real, domain)
+
+
+def _checked_box(x: Array, domain: Box | Domain) -> Box:
+    checked_domain(domain, x.shape[1])
+    assert isinstance(domain, Box)
+    refuse_outside(x, domain)
     refuse_coincident(x)
-    if not isinstance(domain, Box):
-        raise BadInput("cells in one and in three dimensions are cut off at a Box: give one")
-    return line_topology(x.real, domain)
+    return domain

@@ -40,8 +40,9 @@ def plane_topology(positions: Array, domain: Box | Domain) -> Topology:
 
 
 def _refuse_doubled(positions: Array, node: int) -> None:
-    other = int(np.argsort(((positions - positions[node]) ** 2).sum(axis=1))[1])
-    first, second = sorted([node, other])
+    distance = ((positions - positions[node]) ** 2).sum(axis=1)
+    distance[node] = np.inf
+    first, second = sorted([node, int(np.argmin(distance))])
     raise CoincidentNodes(
         f"nodes {first} and {second} are both at ({shown(positions[node])}), to rounding: remove or move one of them"
     )
