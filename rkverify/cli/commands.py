@@ -5,6 +5,8 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from rkverify.cli import options
+
 Action = Callable[[Namespace], int]
 
 
@@ -21,136 +23,43 @@ class Command:
 
 
 def _later(module: str, function: str) -> Action:
-    def act(options: Namespace) -> int:
-        status: int = getattr(importlib.import_module(f"rkverify.cli.{module}"), function)(options)
+    def act(given: Namespace) -> int:
+        status: int = getattr(importlib.import_module(f"rkverify.cli.{module}"), function)(given)
         return status
 
     return act
-
-
-def _output(parser: ArgumentParser) -> None:
-    parser.add_argument("--json", action="store_true", help="JSON instead of CSV")
-    parser.add_argument("--out", metavar="FILE", help="write to FILE instead of standard output")
-
-
-def _kernel_and_order(parser: ArgumentParser) -> None:
-    parser.add_argument("--order", type=int, default=1, metavar="N", help="order of the basis: 0, 1 or 2 (default 1)")
-    parser.add_argument(
-        "--kernel",
-        default="cubic",
-        metavar="NAME",
-        help="tent, cubic (12), quartic, quintic, wendland-c2 or wendland-c4 (default cubic)",
-    )
-    parser.add_argument(
-        "--derivative",
-        default="full",
-        metavar="READING",
-        help="reading of the derivative: full, diffuse, frozen-b or frozen (default full)",
-    )
-
-
-def _shape(parser: ArgumentParser) -> None:
-    parser.add_argument(
-        "--nodes", required=True, metavar="CSV", help="nodes, header x; a column a gives each its own support"
-    )
-    parser.add_argument("--points", required=True, metavar="CSV", help="points, header x")
-    parser.add_argument("--support", metavar="A", help="support radius, in the nodes' unit of length")
-    _kernel_and_order(parser)
-    parser.add_argument(
-        "--arithmetic", default="float", metavar="NAME", help="float, mp:DIGITS or exact (default float)"
-    )
-    _output(parser)
-
-
-def _dispersion(parser: ArgumentParser) -> None:
-    parser.add_argument("--formulation", required=True, metavar="NAME", help="lagrangian or semi-lagrangian")
-    parser.add_argument("--integration", required=True, metavar="NAME", help="scni or dni")
-    parser.add_argument(
-        "--layer",
-        default="printed",
-        metavar="NAME",
-        help="printed: the formula in print (default); as-defined: the linearisation of the equations as the paper defines "
-        "them; consistent: the same with the true material rate; simulated: measured in a nonlinear computation",
-    )
-    parser.add_argument("--no-convective", action="store_true", help="without the convective term, (86), (87)")
-    parser.add_argument("--support-ratio", required=True, metavar="R", help="support radius over spacing")
-    parser.add_argument("--stress-ratio", default="0", metavar="S", help="sigma/C^sigma, or S/C^SE (default 0)")
-    parser.add_argument("--stretch", default="1", metavar="F", help="deformation gradient, Lagrangian only (default 1)")
-    parser.add_argument("--velocity-gradient", default="0", metavar="Q", help="Q, semi-Lagrangian only (default 0)")
-    parser.add_argument("--spacing", default="1", metavar="H", help="nodal spacing (default 1)")
-    parser.add_argument(
-        "--half-point", default="edge", metavar="READING", help="C(h/2): literal or edge (default edge)"
-    )
-    parser.add_argument(
-        "--frame-velocity", default="0", metavar="V", help="velocity of the node (default 0; not printed)"
-    )
-    readings = parser.add_argument_group("readings of what the paper leaves open (layers other than printed)")
-    readings.add_argument(
-        "--stress-law",
-        default="truesdell",
-        metavar="NAME",
-        help="truesdell, cauchy-rate or literal (69) (default truesdell)",
-    )
-    readings.add_argument(
-        "--node-motion", default="coefficient", metavar="NAME", help="nodes move with their coefficient or the field"
-    )
-    readings.add_argument(
-        "--cell-edges", default="voronoi", metavar="NAME", help="voronoi, material or fixed (default voronoi)"
-    )
-    readings.add_argument(
-        "--cell-measure", default="edges", metavar="NAME", help="edges, material or fixed (default edges)"
-    )
-    readings.add_argument(
-        "--support-radius", default="fixed", metavar="NAME", help="fixed, or spacing: R times it (default fixed)"
-    )
-    readings.add_argument("--mass", default="lumped", metavar="NAME", help="lumped or consistent (default lumped)")
-    _kernel_and_order(parser)
-    parser.add_argument("--arithmetic", default="float", metavar="NAME", help="float or mp:DIGITS (default float)")
-    where = parser.add_mutually_exclusive_group()
-    where.add_argument("--kh", nargs="+", metavar="VALUE", help="wave numbers times spacing, in radians")
-    where.add_argument("--samples", type=int, default=32, metavar="N", help="kh = pi/N, 2 pi/N, …, pi (default 32)")
-    _output(parser)
-
-
-def _names(parser: ArgumentParser) -> None:
-    parser.add_argument("names", nargs="*", metavar="STUDY", help="studies, all if none is named")
-
-
-def _jobs(parser: ArgumentParser) -> None:
-    parser.add_argument("--jobs", type=int, default=None, metavar="N", help="processes (default: one for each core)")
-
-
-def _run(parser: ArgumentParser) -> None:
-    _names(parser)
-    _jobs(parser)
-    parser.add_argument("--quick", action="store_true", help="few samples, results under .rkverify/quick")
-    parser.add_argument("--force", action="store_true", help="run also what is current")
-
-
-def _verify(parser: ArgumentParser) -> None:
-    _names(parser)
-    _jobs(parser)
-
-
-def _ledger(parser: ArgumentParser) -> None:
-    parser.add_argument("entry", nargs="?", metavar="ID", help="an equation E1-E87, figure F1-F8 or claim C1-C75")
-    parser.add_argument("--quick", action="store_true", help="from the quick run's results")
-    parser.add_argument("--json", action="store_true", help="JSON instead of text")
-
-
-def _report(parser: ArgumentParser) -> None:
-    parser.add_argument("--quick", action="store_true", help="from the quick run's results")
 
 
 COMMANDS = (
     Command(
         "shape",
         "shape functions and derivatives on your own nodes",
-        "Psi_I and dPsi_I/dx of (4) at every point, one row for each node that reaches it: point,node,psi,dpsi_dx;\n"
-        "ids are 0-based row numbers. Numbers in the CSV files may be decimals or p/q. One dimension.",
+        "Psi_I of (4) and its gradient at every point, one row for each node that reaches it: point,node,psi,dpsi_dx,\n"
+        "dpsi_dy,dpsi_dz; ids are 0-based row numbers. Numbers in the CSV files may be decimals or p/q. Distances in two\n"
+        "and three dimensions are rational, as exact needs, with --window tensor.",
         "  rkverify shape --nodes nodes.csv --points points.csv --support 1.5 --order 1 --arithmetic exact",
-        _shape,
+        options.shape,
         _later("shape", "shape"),
+    ),
+    Command(
+        "cells",
+        "nodal cells: Voronoi cells clipped to a domain",
+        "The points of the domain that are nearer to a node than to any other: node,ring,vertex,x,y, outer rings\n"
+        "counter-clockwise, holes clockwise; or node,measure. Non-convex domains with holes in two dimensions; in three\n"
+        "dimensions boxes, and measures alone. Ids are 0-based row numbers.",
+        "  rkverify cells --nodes nodes.csv --box 0,0,2,1 --measures",
+        options.cells,
+        _later("cells", "cells"),
+    ),
+    Command(
+        "gradients",
+        "smoothed and direct gradients on your own nodes",
+        "b_iI^L with grad u (x_L) = sum_I b_I^L u_I: the mean of grad Psi_I over the cell of node L, by a rule on its\n"
+        "facets (scni), over a box of the cell's measure (snni), or grad Psi_I at the node (dni). One row for each pair\n"
+        "with an entry that is not zero: cell,node,bx,by,bz; cells have the number of their node.",
+        "  rkverify gradients --nodes nodes.csv --support 2.5 --integration scni --edge-rule trapezoid --box 0,0,2,1",
+        options.gradients,
+        _later("gradients", "gradients"),
     ),
     Command(
         "dispersion",
@@ -160,7 +69,7 @@ COMMANDS = (
         "a simulation adds growth_uncertainty and takes the nearest kh that fits on its periodic chain.",
         "  rkverify dispersion --formulation semi-lagrangian --integration dni --layer printed \\\n"
         "      --support-ratio 1.5 --stress-ratio 0.5 --kh 0.5 1 3",
-        _dispersion,
+        options.dispersion,
         _later("dispersion", "dispersion"),
     ),
     Command(
@@ -177,7 +86,7 @@ COMMANDS = (
         "Compute tables, figures and statements of the studies whose sources, parameters or environment changed and\n"
         "write what changed under reports/results. Needs a checkout.",
         "  rkverify run figure5 figure6 --jobs 2",
-        _run,
+        options.run,
         _later("studies", "run"),
     ),
     Command(
@@ -186,7 +95,7 @@ COMMANDS = (
         "Recompute and compare with the committed results, writing nothing; status 1 and a list of what left its\n"
         "tolerance, and by how much, if anything did. Needs a checkout.",
         "  rkverify verify",
-        _verify,
+        options.verify,
         _later("studies", "verify"),
     ),
     Command(
@@ -195,7 +104,7 @@ COMMANDS = (
         "States of all 170 entries computed from the studies' statements, or one entry with its evidence.\n"
         "Needs a checkout.",
         "  rkverify ledger C43",
-        _ledger,
+        options.ledger,
         _later("ledger", "ledger"),
     ),
     Command(
@@ -203,7 +112,7 @@ COMMANDS = (
         "build the pages from finished studies",
         "Write reports/index.html and the pages it links to. Needs a checkout.",
         "  rkverify report",
-        _report,
+        options.report,
         _later("report", "report"),
     ),
 )
