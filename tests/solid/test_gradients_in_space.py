@@ -123,7 +123,10 @@ def test_the_integration_constraint_holds_for_scni(d):
     for rule in RULES:
         operator = scni(C, cells, rule)
         # Each of some hundred facets of size one under a kernel is added and taken away, divided and multiplied by A_L.
-        assert abs(constraint_residual(operator)).max() <= 1000 * EPS * abs(shape(C, facet_rule(cells).points).values).max()
+        assert (
+            abs(constraint_residual(operator)).max()
+            <= 1000 * EPS * abs(shape(C, facet_rule(cells).points).values).max()
+        )
         assert abs(operator.boundary).max() > 0.1
         assert np.array_equal(operator.boundary, boundary_integrals(C, cells, rule))
 
