@@ -23,6 +23,7 @@ STUDIES = {
     "figure4": {"smaller": {"support_ratios": ["1.5", "3.5"], "samples": 4}, "orders": [], "spoil": True},
     "printed_consequences": {"smaller": {}, "orders": [], "spoil": False},
     "derivation": {"smaller": {"support_ratios": ["8/5"]}, "orders": [], "spoil": False},
+    "equations_in_the_plane": {"smaller": {}, "orders": [], "spoil": True},
     "two_routes": {"smaller": {}, "orders": [], "spoil": True},
     "convective_term": {"smaller": {"support_ratios": ["7/4"]}, "orders": [], "spoil": False},
     "stability_layers": {"smaller": {}, "orders": [], "spoil": False},
