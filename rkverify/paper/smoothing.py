@@ -11,7 +11,7 @@ from rkverify.paper.approximation import Approximation, Vector
 from rkverify.paper.moment import Matrix
 from rkverify.paper.numbered import equation
 from rkverify.paper.polytopes import Polytope
-from rkverify.paper.quadrature import Points, boundary_points, cell_points
+from rkverify.paper.quadrature import Points, boundary_points
 from rkverify.paper.shape import Values, shape_functions, shape_gradient
 from rkverify.readings import Derivative
 
@@ -81,16 +81,6 @@ def approximated(A: Approximation, d: Sequence[Vector]) -> Callable[[Vector], Ve
 def approximated_gradient(A: Approximation, d: Sequence[Vector]) -> Callable[[Vector], Matrix]:
     """du^h_i/dX_j = sum_I Psi_I,j(X) d_iI, as a function of X."""
     return lambda X: displacement_gradient(direct_gradients(A, X), d, A.K)
-
-
-def average_over_cell(A: Approximation, cell: Polytope, count: int) -> tuple[Values, ...]:
-    """(1/A_L) int_Omega_L Psi_I,i dOmega for every axis i, with count Gauss points each way; 1/length."""
-    total: tuple[Values, ...] = tuple({} for _ in range(A.dimension))
-    for X, weight in cell_points(cell, count, A.K):
-        for b, slope in zip(total, direct_gradients(A, X), strict=True):
-            for I, value in slope.items():
-                b[I] = b.get(I, A.K.zero()) + weight * value / cell.measure
-    return total
 
 
 def integration_constraint(gradients: Sequence[tuple[Values, ...]], cells: Sequence[Polytope], K: Arithmetic) -> Matrix:

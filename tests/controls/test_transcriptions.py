@@ -20,6 +20,7 @@ STUDIES = {
     "shape_functions": {"smaller": {"nodes": 5, "digits": 10}, "orders": [1], "spoil": True},
     "material_rates": {"smaller": {"nodes": 5}, "orders": [1], "spoil": True},
     "gradients": {"smaller": {"nodes": 5, "support_twentieths": [30, 35]}, "orders": [], "spoil": True},
+    "plane_kinematics": {"smaller": {"dimensions": [1], "points": [[1, 3]]}, "orders": [], "spoil": True},
     "figure4": {"smaller": {"support_ratios": ["1.5", "3.5"], "samples": 4}, "orders": [], "spoil": True},
     "printed_consequences": {"smaller": {}, "orders": [], "spoil": False},
     "derivation": {"smaller": {"support_ratios": ["8/5"]}, "orders": [], "spoil": False},
