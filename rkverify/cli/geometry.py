@@ -1,5 +1,6 @@
 """Nodes, domains and cells of the command line's files as the arrays of `solid/`."""
 
+import sys
 from argparse import Namespace
 from collections.abc import Sequence
 from fractions import Fraction
@@ -7,7 +8,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from rkverify.arithmetic.native import finite, rational
+from rkverify.arithmetic.native import finite
 from rkverify.cli.tables import AXES, Points, Rows, read_rows
 from rkverify.errors import BadInput
 from rkverify.solid.cloud import Cloud, cloud
@@ -24,8 +25,12 @@ def cloud_of(nodes: Points, options: Namespace) -> Cloud:
 
 
 def doubles(places: Sequence[Sequence[Fraction]]) -> Array:
-    """Exact coordinates rounded to doubles, (N, d)."""
-    return np.array([[finite(c) for c in place] for place in places])
+    """Exact coordinates rounded to doubles, (N, d); raises BadInput, naming the row, where one is too large."""
+    for row, place in enumerate(places):
+        for axis, c in zip(AXES, place, strict=False):
+            if abs(c) > sys.float_info.max:
+                raise BadInput(f"row {row}, {axis}: a number of more than 308 digits is too large for double precision")
+    return np.array([[float(c) for c in place] for place in places])
 
 
 def domain_of(options: Namespace, dimension: int) -> Domain | Box:
@@ -40,12 +45,14 @@ def domain_of(options: Namespace, dimension: int) -> Domain | Box:
 
 
 def _box(text: str, dimension: int) -> Box:
-    numbers = [rational(part.strip()) for part in text.split(",")]
+    try:
+        numbers = [finite(part.strip()) for part in text.split(",")]
+    except BadInput as error:
+        raise BadInput(f"--box {text}: {error}") from None
     if len(numbers) != 2 * dimension:
         wanted = ",".join(f"{axis}{end}" for end in (0, 1) for axis in AXES[:dimension])
         raise BadInput(f"--box {text}: {len(numbers)} numbers for nodes in {dimension} dimensions: write {wanted}")
-    low, high = doubles([numbers[:dimension], numbers[dimension:]])
-    return box(low, high)
+    return box(numbers[:dimension], numbers[dimension:])
 
 
 def read_domain(file: str) -> list[Ring]:

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 import scipy.sparse as sp
 
-from rkverify.errors import BadInput
+from rkverify.errors import BadInput, SingularMomentMatrix, TooFewNodes
 from rkverify.readings import Derivative
 from rkverify.solid.boxes import boxes
 from rkverify.solid.cells import OUTSIDE, Cells
@@ -122,7 +122,10 @@ def _facet_weights(cloud: Cloud, cells: Cells, rule: str) -> tuple[sp.csr_array,
     if cells.dimension != cloud.dimension:
         raise BadInput(f"the cells have {cells.dimension} dimensions, the nodes {cloud.dimension}: give both alike")
     means = facet_rule(cells, rule)
-    return means.matrix(), shape(cloud, means.points).matrix()
+    try:
+        return means.matrix(), shape(cloud, means.points).matrix()
+    except (TooFewNodes, SingularMomentMatrix) as error:
+        raise type(error)(f"on a cell's facet, {error}") from None
 
 
 def facets_alone(cells: Cells, chosen: Array) -> Cells:

@@ -139,7 +139,7 @@ REFUSED = {
     "nan": ({"nodes": "x,y\n0,0\n1,nan\n"}, ["row 1", "column y", "'nan'"]),
     "short row": ({"nodes": "x,y\n0,0\n1\n"}, ["row 1", "1 cells"]),
     "other dimension": ({"points": "x\n1\n"}, ["2 coordinates (x,y)", "1 coordinates (x)"]),
-    "too large": ({"nodes": "x,y\n0,0\n1e400,0\n"}, ["too large"]),
+    "too large": ({"nodes": "x,y\n0,0\n1e400,0\n"}, ["row 1, x", "too large"]),
     "header": ({"nodes": "x,z\n0,0\n"}, ["'x,z'"]),
 }
 
