@@ -54,8 +54,12 @@ def scni(cloud: Cloud, cells: Cells, rule: str = "trapezoid") -> GradientOperato
     Raises BadInput for cells of another dimension or without measure; UnknownName for the rule; what `shape` raises
     where a point on a facet is not covered.
     """
+    return _smoothed(cloud, cells, rule, "a cell's facet")
+
+
+def _smoothed(cloud: Cloud, cells: Cells, rule: str, where: str) -> GradientOperator:
     refuse_without_measure(cells.measures, cloud)
-    weights, values = _facet_weights(cloud, cells, rule)
+    weights, values = _facet_weights(cloud, cells, rule, where)
     outwards = _signs(cells)
     means = [sp.diags_array(1 / cells.measures) @ outwards @ sp.diags_array(a) @ weights for a in cells.areas.T]
     parts = tuple(_ordered(mean @ values) for mean in means)
@@ -82,14 +86,14 @@ def snni(cloud: Cloud, measures: Array, rule: str = "midpoint", boundary: Array 
     """
     _refuse_uncounted(measures, cloud)
     refuse_without_measure(measures, cloud)
-    alone = scni(cloud, boxes(cloud.positions, measures), rule)
+    alone = _smoothed(cloud, boxes(cloud.positions, measures), rule, "the side of a box about a node")
     return GradientOperator(alone.parts, measures, _given(boundary, cloud))
 
 
 def boundary_integrals(cloud: Cloud, cells: Cells, rule: str = "trapezoid") -> Array:
     """The integrals of Psi_I n_i over the boundary of the domain that the cells tile, by the rule, (d, N)."""
     outer = facets_alone(cells, cells.boundary)
-    return _over_boundary(outer, *_facet_weights(cloud, outer, rule))
+    return _over_boundary(outer, *_facet_weights(cloud, outer, rule, "the boundary"))
 
 
 def constraint_residual(operator: GradientOperator) -> Array:
@@ -118,14 +122,14 @@ def refuse_without_measure(measures: Array, cloud: Cloud) -> None:
         raise BadInput(f"the cell{place} has measure {measures[bad[0]].real:.6g}: it must be positive and finite")
 
 
-def _facet_weights(cloud: Cloud, cells: Cells, rule: str) -> tuple[sp.csr_array, sp.csr_array]:
+def _facet_weights(cloud: Cloud, cells: Cells, rule: str, where: str) -> tuple[sp.csr_array, sp.csr_array]:
     if cells.dimension != cloud.dimension:
         raise BadInput(f"the cells have {cells.dimension} dimensions, the nodes {cloud.dimension}: give both alike")
     means = facet_rule(cells, rule)
     try:
         return means.matrix(), shape(cloud, means.points).matrix()
     except (TooFewNodes, SingularMomentMatrix) as error:
-        raise type(error)(f"on a cell's facet, {error}") from None
+        raise type(error)(f"on {where}, {error}") from None
 
 
 def facets_alone(cells: Cells, chosen: Array) -> Cells:

@@ -250,6 +250,7 @@ def test_nodes_that_cannot_be_used(gradients):
     assert "nodes 1 and 9" in gradients(*words, nodes=[*NODES, NODES[1]]).complaint()
     gap = gradients(*words, support="0.2").complaint()
     assert re.search(r"on a cell's facet, point \d+ at \([\d.]+, [\d.]+\) .*order 1 needs 3", gap)
+    assert "on the side of a box about a node" in gradients("--integration", "snni", *BOX, support="0.2").complaint()
     assert "order 1 needs 3" in gradients(*words, nodes=NODES[:2], support="9").complaint()
     line = [(0.1 * k, 0.1 * k) for k in range(1, 9)]
     assert "(" in gradients(*words, nodes=line, support="3").complaint()
