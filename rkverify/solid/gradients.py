@@ -127,7 +127,7 @@ def _facet_weights(cloud: Cloud, cells: Cells, rule: str, where: str) -> tuple[s
         raise BadInput(f"the cells have {cells.dimension} dimensions, the nodes {cloud.dimension}: give both alike")
     means = facet_rule(cells, rule)
     try:
-        return means.matrix(), shape(cloud, means.points).matrix()
+        return _short(means.matrix()), _short(shape(cloud, means.points).matrix())
     except (TooFewNodes, SingularMomentMatrix) as error:
         raise type(error)(f"on {where}, {error}") from None
 
@@ -141,6 +141,13 @@ def facets_alone(cells: Cells, chosen: Array) -> Cells:
     return Cells(cells.vertices, starts, together, cells.sides[chosen], cells.areas[chosen], cells.measures)
 
 
+def _short(matrix: sp.csr_array) -> sp.csr_array:
+    """The matrix with indices of four bytes where these suffice: products of a million nodes then need half the memory."""
+    if max(matrix.nnz, *matrix.shape) < 2**31:
+        matrix.indices, matrix.indptr = matrix.indices.astype(np.int32), matrix.indptr.astype(np.int32)
+    return matrix
+
+
 def _signs(cells: Cells) -> sp.csr_array:
     """+1 where a facet's area vector points out of a cell, -1 where it points in, (L, F)."""
     facets = np.arange(len(cells.sides))
@@ -148,7 +155,7 @@ def _signs(cells: Cells) -> sp.csr_array:
     rows = np.concatenate([cells.sides[:, 0], cells.sides[inner, 1]])
     signs = np.concatenate([np.ones(len(facets)), -np.ones(inner.sum())])
     columns = np.concatenate([facets, facets[inner]])
-    return sp.csr_array(sp.coo_array((signs, (rows, columns)), shape=(len(cells), len(facets))))
+    return _short(sp.csr_array(sp.coo_array((signs, (rows, columns)), shape=(len(cells), len(facets)))))
 
 
 def _over_boundary(cells: Cells, weights: sp.csr_array, values: sp.csr_array) -> Array:
