@@ -32,6 +32,9 @@ def polygon_cells(rings_of_cells: Sequence[Sequence[Any]]) -> Cells:
     """
     if len(rings_of_cells) == 0:
         raise BadInput("there are no cells: give the rings of at least one")
+    empty = [L for L, rings in enumerate(rings_of_cells) if len(rings) == 0]
+    if empty:
+        raise BadInput(f"cell {empty[0]} has no rings: give its outline")
     checked = [
         [checked_ring(ring, f"ring {r} of cell {L}") for r, ring in enumerate(rings)]
         for L, rings in enumerate(rings_of_cells)

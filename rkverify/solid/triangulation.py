@@ -102,6 +102,40 @@ def _linked(nb: Array, s: int, old: int, new: int) -> None:
 
 
 @compiled
+def _flipped(v: Array, nb: Array, t: int, s: int, k: int) -> None:
+    """(a, b, p) and (b, a, d), where d is vertex k of s, become (a, d, p) and (d, b, p)."""
+    b, p, d = v[t, 1], v[t, 2], v[s, k]
+    ad, db, bp = nb[s, (k + 1) % 3], nb[s, (k + 2) % 3], nb[t, 0]
+    v[t, 1] = d
+    v[s, 0], v[s, 1], v[s, 2] = d, b, p
+    nb[t, 0], nb[t, 2] = s, ad
+    nb[s, 0], nb[s, 1], nb[s, 2] = bp, t, db
+    _linked(nb, ad, s, t)
+    _linked(nb, bp, t, s)
+
+
+@compiled
+def _completed(x: Array, y: Array, v: Array, nb: Array) -> None:
+    """Flip what is left: an insertion looks at the edges around the new point, and ties that were kept before may add up."""
+    changed = True
+    while changed:
+        changed = False
+        for t in range(len(v)):
+            for k in range(3):
+                s = nb[t, k]
+                if s < t:
+                    continue
+                m = 0 if nb[s, 0] == t else (1 if nb[s, 1] == t else 2)
+                a, b, p, d = v[t, (k + 1) % 3], v[t, (k + 2) % 3], v[t, k], v[s, m]
+                if _surely_inside(x[a], y[a], x[b], y[b], x[p], y[p], x[d], y[d]):
+                    v[t, 0], v[t, 1], v[t, 2] = a, b, p
+                    nb[t, 0], nb[t, 1], nb[t, 2] = nb[t, (k + 1) % 3], nb[t, (k + 2) % 3], s
+                    _flipped(v, nb, t, s, m)
+                    changed = True
+                    break
+
+
+@compiled
 def _inserted(x: Array, y: Array) -> tuple[Array, Array, int]:
     """Triangles and neighbours of points (N + 3,), the last three around the others and N; or the number of one that is doubled, or -1 if one was not found."""
     n = len(x) - 3
@@ -144,16 +178,10 @@ def _inserted(x: Array, y: Array) -> tuple[Array, Array, int]:
                 continue
             if t == flat:
                 flat = -1
-            # (a, b, p) and (b, a, d) become (a, d, p) and (d, b, p).
-            ad, db, bp = nb[s, (k + 1) % 3], nb[s, (k + 2) % 3], nb[t, 0]
-            v[t, 1] = d
-            v[s, 0], v[s, 1], v[s, 2] = d, b, p
-            nb[t, 0], nb[t, 2] = s, ad
-            nb[s, 0], nb[s, 1], nb[s, 2] = bp, t, db
-            _linked(nb, ad, s, t)
-            _linked(nb, bp, t, s)
+            _flipped(v, nb, t, s, k)
             stack[depth], stack[depth + 1] = t, s
             depth += 2
+    _completed(x, y, v, nb)
     return v, nb, n
 
 

@@ -1,0 +1,117 @@
+"""The triangulation under the cells: Delaunay, valid, and the same as Qhull's where that is unique."""
+
+import math
+
+import numpy as np
+import pytest
+from scipy.spatial import Delaunay
+
+from rkverify.solid.triangulation import GRID, IN_CIRCLE, _turn, triangulated
+
+ANGLES = np.array([0.5, 0.5 + 2 / 3 * np.pi, 0.5 + 4 / 3 * np.pi])
+FAR = 3.9 * np.stack([np.cos(ANGLES), np.sin(ANGLES)], axis=1)
+
+
+def _lattice(n: int, angle: float) -> np.ndarray:
+    side = np.linspace(-0.6, 0.6, n)
+    c, s = np.cos(angle), np.sin(angle)
+    return np.stack(np.meshgrid(side, side), axis=-1).reshape(-1, 2) @ np.array([[c, s], [-s, c]])
+
+
+def _circle(n: int) -> np.ndarray:
+    around = 2 * np.pi * np.arange(n) / n
+    return 0.5 * np.stack([np.cos(around), np.sin(around)], axis=1)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_the_same_triangles_as_qhull(seed: int) -> None:
+    """Random points have one Delaunay triangulation: an independent program must find the same set of triangles."""
+    x = np.concatenate([np.random.default_rng(seed).uniform(-0.7, 0.7, (2000, 2)), FAR])
+    triangles, _, doubled = triangulated(x)
+    assert doubled == -1
+    assert {*map(tuple, np.sort(triangles, axis=1).tolist())} == {
+        *map(tuple, np.sort(Delaunay(x).simplices, axis=1).tolist())
+    }
+
+
+@pytest.mark.parametrize(
+    "points",
+    [
+        np.zeros((0, 2)),
+        np.zeros((1, 2)),
+        _lattice(15, 0.0),
+        _lattice(15, 0.3),
+        _lattice(15, 1e-15),
+        _circle(400),
+        np.stack([np.linspace(-0.7, 0.7, 100)] * 2, axis=1),
+        np.stack([np.linspace(-0.7, 0.7, 100), 0.3 * np.linspace(-0.7, 0.7, 100)], axis=1),
+        np.random.default_rng(0).random((500, 2)) ** 8,
+        np.concatenate([_circle(50) * 10.0**-k for k in range(12)]),
+    ],
+    ids=["none", "one", "lattice", "rotated", "barely rotated", "cocircular", "diagonal", "line", "graded", "nested"],
+)
+def test_valid_whatever_coincides(points: np.ndarray) -> None:
+    """Cocircular, collinear and graded points: 2 N + 1 triangles of positive area that fill the outer one, with mutual neighbours.
+
+    Areas are those on the grid, where they are exact up to one rounding: a single triangle turned over would show. The
+    circle through each triangle contains the vertex across each edge by no more than the bound of the determinant's error, which may be made twice: where
+    an edge is kept and in the bound; it is judged from one of its sides.
+    """
+    x = np.concatenate([points, FAR])
+    triangles, neighbours, doubled = triangulated(x)
+    assert doubled == -1
+    assert len(triangles) == 2 * len(points) + 1
+    g = np.round(x * GRID).astype(np.int64).astype(object)  # integers of any size
+    area = [
+        (g[b, 0] - g[a, 0]) * (g[c, 1] - g[a, 1]) - (g[b, 1] - g[a, 1]) * (g[c, 0] - g[a, 0])
+        for a, b, c in triangles.tolist()
+    ]
+    assert min(int(A) for A in area) > 0
+    a, b, c = g[-3:]
+    assert sum(area) == (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+    for t, (corners, others) in enumerate(zip(triangles.tolist(), neighbours.tolist(), strict=True)):
+        for k, s in enumerate(others):
+            edge = {corners[(k + 1) % 3], corners[(k + 2) % 3]}
+            if s < 0:
+                assert edge <= {len(points), len(points) + 1, len(points) + 2}
+                continue
+            assert t in neighbours[s]
+            (across,) = set(triangles[s].tolist()) - edge
+            (own,) = set(corners) - edge
+            assert min(_inside(g, corners, across), _inside(g, triangles[s].tolist(), own)) <= 2 * IN_CIRCLE
+
+
+def _inside(g: np.ndarray, corners: list[int], point: int) -> float:
+    """The determinant of the lifted differences over the sum of the sizes of its terms, in exact integers."""
+    rows = [(int(g[v, 0] - g[point, 0]), int(g[v, 1] - g[point, 1])) for v in corners]
+    (ax, ay), (bx, by), (cx, cy) = rows
+    lifted = [x * x + y * y for x, y in rows]
+    pairs = [(bx * cy, cx * by), (cx * ay, ax * cy), (ax * by, bx * ay)]
+    determinant = sum(square * (p - q) for square, (p, q) in zip(lifted, pairs, strict=True))
+    size = sum(square * (abs(p) + abs(q)) for square, (p, q) in zip(lifted, pairs, strict=True))
+    return float(determinant) / float(size)
+
+
+def test_a_point_at_the_place_of_another_is_named() -> None:
+    """It would have a cell without area; the twin, one unit of the grid apart, is triangulated."""
+    x = np.concatenate([_lattice(4, 0.1), _lattice(4, 0.1)[5:6], FAR])
+    assert triangulated(x)[2] in (5, 16)
+    x[16] += [4 / GRID, 0]
+    assert triangulated(x)[2] == -1
+
+
+def test_the_sign_of_an_area_is_exact() -> None:
+    """Three points on a line but for the last digit: the products round to the same double, and only their low parts decide."""
+    rng = np.random.default_rng(0)
+    lost = 0
+    for _ in range(200):
+        u, v = (int(k) for k in rng.integers(2**47, 2**48, 2))
+        if math.gcd(u, v) != 1:
+            continue
+        y = pow(u, -1, v)  # u y - v x = 1: the smallest area there is, of products near 2^96
+        x = (u * y - 1) // v
+        for sign, points in ((1, (u, v, x, y)), (-1, (x, y, u, v))):
+            b0, b1, c0, c1 = (k / GRID for k in points)
+            assert np.sign(_turn(0.0, 0.0, b0, b1, c0, c1)) == sign
+            lost += b0 * c1 == b1 * c0
+    assert lost > 0  # in rounded products alone
