@@ -46,7 +46,7 @@ class GradientOperator:
 
 
 def scni(cloud: Cloud, cells: Cells, rule: str = "trapezoid") -> GradientOperator:
-    """b_iI^L = (1 / A_L) integral of Psi_I n_i over the boundary of Omega_L   (14)-(17), (46), (52), (72)
+    """b_iI^L = (1 / A_L) integral of Psi_I n_i over the boundary of Omega_L   (17), (23), (47), (52), (72)
 
     with facets averaged by the rule. Each facet is evaluated once and counts with opposite signs in its two cells, so that
     the integration constraint holds for any cells, and sum_I b_iI^L x_jI = delta_ij for a basis of order 1 or more.
