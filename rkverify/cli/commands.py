@@ -5,7 +5,7 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from rkverify.cli import options
+from rkverify.cli import bloch_options, options
 
 Action = Callable[[Namespace], int]
 
@@ -71,6 +71,16 @@ COMMANDS = (
         "      --support-ratio 1.5 --stress-ratio 0.5 --kh 0.5 1 3",
         options.dispersion,
         _later("dispersion", "dispersion"),
+    ),
+    Command(
+        "bloch",
+        "frequencies and growth of plane waves on a stressed lattice in the plane",
+        "omega^2 of plane waves e^{i(k.x + omega t)} on a lattice at rest under a uniform stress, semi-Lagrangian, nearest\n"
+        "neighbours at distance 1, rho = 1, lumped mass, plane strain: the eigenvalues of K(k)/m. Columns\n"
+        "mode,omega2_re,omega2_im,growth with growth = Re (-omega^2)^(1/2); kx,ky come first where several k are given.",
+        "  rkverify bloch --lattice square --integration dni --support-ratio 1.6 --stress 0.2,0,0 --k 1,0.5 3,0",
+        bloch_options.bloch,
+        _later("bloch", "bloch"),
     ),
     Command(
         "list",
