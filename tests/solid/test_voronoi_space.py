@@ -1,0 +1,141 @@
+"""Voronoi cells in a box in space, against the half-spaces of the definition."""
+
+import numpy as np
+import pytest
+from scipy.spatial import ConvexHull, HalfspaceIntersection
+
+from rkverify.errors import BadInput, CoincidentNodes
+from rkverify.solid.cells import OUTSIDE, Cells
+from rkverify.solid.domain import Box, box, polygon_domain
+from rkverify.solid.voronoi import voronoi
+
+CUBE = box([0, 0, 0], [1, 1, 1])
+EPS = np.finfo(float).eps
+
+
+def _lattice(n: int, offset: float) -> np.ndarray:
+    side = (np.arange(n) + offset) / (n - 1 + 2 * offset)
+    return np.stack(np.meshgrid(side, side, side), axis=-1).reshape(-1, 3)
+
+
+def _tiles(cells: Cells, b: Box) -> None:
+    """Measures sum to the box's, cells are closed, the boundary's facets cover every side: to the rounding of the coordinates."""
+    size = max(abs(b.low).max(), abs(b.high).max())
+    area = np.linalg.norm(cells.areas, axis=1).sum()
+    assert abs(cells.measures.sum() - b.measure) <= 8 * EPS * size * area
+    net = np.zeros((len(cells), 3))
+    np.add.at(net, cells.sides[:, 0], cells.areas)
+    inner = cells.sides[:, 1] != OUTSIDE
+    np.add.at(net, cells.sides[inner, 1], -cells.areas[inner])
+    assert abs(net).max() <= 8 * EPS * size * (b.high - b.low).max() * np.bincount(cells.sides[:, 0]).max()
+    assert (cells.measures > 0).all()
+    outer = cells.areas[cells.boundary]
+    corner = cells.vertices[cells.corners[cells.starts[cells.boundary]]]
+    for axis in range(3):
+        side = b.measure / (b.high - b.low)[axis]
+        for sign, place in ((-1, b.low[axis]), (1, b.high[axis])):
+            here = (corner[:, axis] == place) & (sign * outer[:, axis] > 0.5 * np.linalg.norm(outer, axis=1))
+            assert sign * outer[here, axis].sum() == pytest.approx(side, rel=64 * EPS * size / (b.high - b.low).min())
+
+
+def _by_halfspaces(x: np.ndarray, b: Box) -> np.ndarray:
+    """The volume of the convex hull of the vertices of the half-spaces nearer to each node, and of the box."""
+    sides = np.concatenate([np.c_[np.eye(3), -b.high], np.c_[-np.eye(3), b.low]])
+    volumes = []
+    for L, centre in enumerate(x):
+        others = np.delete(x, L, axis=0)
+        n = others - centre
+        planes = np.c_[n, -(n * (others + centre)).sum(axis=1) / 2]
+        inward = 1e-4 * ((b.low + b.high) / 2 - centre)  # a node may be on the boundary, or on a corner
+        while (
+            np.concatenate([sides, planes])[:, :3] @ (centre + inward) + np.concatenate([sides, planes])[:, 3]
+        ).max() >= 0:
+            inward = inward / 2
+        volumes.append(
+            ConvexHull(HalfspaceIntersection(np.concatenate([sides, planes]), centre + inward).intersections).volume
+        )
+    return np.array(volumes)
+
+
+@pytest.mark.parametrize(
+    ("x", "b"),
+    [
+        (np.array([[0.3, 0.2, 0.9]]), CUBE),
+        (np.random.default_rng(0).random((2, 3)), CUBE),
+        (np.random.default_rng(1).random((60, 3)), CUBE),
+        (np.random.default_rng(2).random((40, 3)) * [1, 2, 0.1] - [0, 1, 0], box([0, -1, 0], [1, 1, 0.1])),
+        (_lattice(4, 0.0), CUBE),
+        (_lattice(4, 0.5), CUBE),
+        (np.concatenate([_lattice(3, 0.5), _lattice(2, 1.0)]), CUBE),
+        (np.c_[np.random.default_rng(3).random((20, 2)), np.zeros(20)], CUBE),
+        (np.linspace(0, 1, 7)[:, None] * np.ones(3), CUBE),
+    ],
+    ids=["one", "two", "random", "flat", "on the boundary", "centred", "bcc", "on a side", "on a line"],
+)
+def test_cells_are_those_of_the_half_spaces(x: np.ndarray, b: Box) -> None:
+    """Volumes by another route, on sets where eight cells meet in a point, and nodes are on sides, edges and corners.
+
+    Qhull's half-spaces are dual points 1/distance from an inner point, here as near as 1e-4 to the boundary: eleven digits are left.
+    """
+    cells = voronoi(x, b)
+    _tiles(cells, b)
+    np.testing.assert_allclose(cells.measures, _by_halfspaces(x, b), rtol=1e-10, atol=1e-12 * b.measure)
+
+
+def test_every_vertex_is_as_far_from_its_nodes() -> None:
+    """Facets are where two nodes are equally near, to the last digits; a rotated lattice has eight in a point, but for rounding."""
+    c, s = np.cos(0.5), np.sin(0.5)
+    turn = np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]]) @ np.array([[1, 0, 0], [0, s, c], [0, -c, s]])
+    for x in (np.random.default_rng(4).random((400, 3)) - 0.5, (_lattice(5, 0.5) - 0.5) @ turn * 0.5):
+        cells = voronoi(x, box([-0.5] * 3, [0.5] * 3))
+        _tiles(cells, box([-0.5] * 3, [0.5] * 3))
+        facet = np.repeat(np.arange(len(cells.sides)), np.diff(cells.starts))
+        inner = cells.sides[facet, 1] != OUTSIDE
+        v, pair = cells.vertices[cells.corners[inner]], cells.sides[facet[inner]]
+        distances = [np.linalg.norm(v - x[pair[:, side]], axis=1) for side in (0, 1)]
+        np.testing.assert_allclose(distances[0], distances[1], rtol=0, atol=16 * EPS)
+
+
+def test_facets_are_plane_polygons_around_their_area_vector() -> None:
+    """What rules of quadrature rely on: corners in order, the area vector right-handed about them, out of the first cell."""
+    x = np.random.default_rng(5).random((80, 3))
+    cells = voronoi(x, CUBE)
+    for f, (i, j) in enumerate(cells.sides):
+        p = cells.vertices[cells.corners[cells.starts[f] : cells.starts[f + 1]]]
+        middle = p.mean(axis=0)
+        parts = np.cross(p - middle, np.roll(p, -1, axis=0) - middle) / 2
+        np.testing.assert_allclose(parts.sum(axis=0), cells.areas[f], rtol=0, atol=32 * EPS)
+        normal = cells.areas[f] / np.linalg.norm(cells.areas[f])
+        assert (parts @ normal > -32 * EPS).all()  # convex, one way round
+        assert (x[j] - x[i] if j != OUTSIDE else middle - x[i]) @ normal > 0
+
+
+def test_a_lattice_has_square_facets_alone() -> None:
+    """Six for each cell; where the triangulation has flat tetrahedra there is no facet. The twin, moved by 1e-9, has more."""
+    x = _lattice(4, 0.5)
+    cells = voronoi(x, CUBE)
+    assert len(cells.sides) == 3 * 4 * 4 * 3 + 6 * 16
+    assert (np.diff(cells.starts) == 4).all()
+    moved = x + 1e-9 * np.random.default_rng(6).normal(size=x.shape)
+    assert len(voronoi(moved, CUBE).sides) > len(cells.sides)
+
+
+@pytest.mark.parametrize(
+    ("positions", "error", "message"),
+    [
+        ([[0.1, 0.1, 0.1], [0.5, 0.5, 1.5]], BadInput, r"node 1 at \(0.5, 0.5, 1.5\) is outside the domain"),
+        ([[0.1, 0.1, 0.1]] * 2, CoincidentNodes, "nodes 0 and 1 are both at"),
+        ([[0.1, 0.1, 0.1], [0.5, 0.5, 0.5], [0.1, 0.1, 0.1 + 3e-17]], CoincidentNodes, "nodes 0 and 2 are both at"),
+        ([[0.1, 0.1, np.inf]], BadInput, "node 0 is at"),
+    ],
+)
+def test_bad_nodes_are_refused(positions: list, error: type, message: str) -> None:
+    """The same errors as in the plane."""
+    with pytest.raises(error, match=message):
+        voronoi(positions, CUBE)
+
+
+def test_the_domain_has_the_nodes_dimension() -> None:
+    """A polygon is no domain for nodes in space."""
+    with pytest.raises(BadInput, match="the nodes have 3 coordinates and the domain 2"):
+        voronoi([[0.5, 0.5, 0.5]], polygon_domain([[(0, 0), (1, 0), (1, 1)]]))
