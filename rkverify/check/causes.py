@@ -74,13 +74,22 @@ def by_sums(sums: list[Sum], held: Held, rows: str) -> Cause:
     monomials = listed(sorted({s.monomial for s in bad}))
     mixed = {s.monomial for s in bad} <= {"xy", "xz", "yz"}
     what = f" The mixed function {monomials} of the basis is at fault." if mixed else ""
-    right = f" {listed(agreeing)} agree with ours." if agreeing else ""
+    right = f" {listed(agreeing)} agree{'s' * (len(agreeing) == 1)} with ours." if agreeing else ""
+    wrong_rows, count = np.unique(held.gap.rows[held.wrong.any(axis=1)]), int(held.wrong.any(axis=1).sum())
+    if 2 * count < len(held.gap.rows):
+        places = listed([str(row) for row in wrong_rows], 8)
+        right += f" Only {count} of {len(held.gap.rows)} pairs differ, at {rows}s {places}: look for a rule that treats them apart."
     return (
         f"the {listed(sorted(kinds, reverse=True))} do not reproduce {listed([s.name for s in bad])}{although}: off by up to "
         f"{digits(max(s.residual for s in bad))}.{what}{right}",
         (
             f"look at how {monomials} and its derivatives enter H, M and the derivative of M: linear sums cannot see it"
             if lower == 2
-            else f"begin at the {rows} named above: solve M b = H(0) there by hand",
+            else f"begin at the {rows} named above: "
+            + (
+                "solve M b = H(0) there by hand"
+                if "values" in kinds
+                else "compare your derivative with a difference quotient of your own values"
+            ),
         ),
     )

@@ -23,7 +23,7 @@ Cause = tuple[str, tuple[str, ...]]
 
 def other_choice(claim: Claim, theirs: Entries, held: Held) -> Cause | None:
     """The fewest changes of the claim that give theirs, in words; None where no hypothesis does."""
-    rows = _sample(held)
+    rows = worst_and_spread(held, SAMPLE, np.arange(theirs.count))
     few, some = claim.at(rows), _renumbered(theirs, rows)
     values = [c for c, name in enumerate(theirs.columns) if name == "psi"]
     slopes = [c for c, name in enumerate(theirs.columns) if name != "psi"]
@@ -47,7 +47,7 @@ def other_choice(claim: Claim, theirs: Entries, held: Held) -> Cause | None:
 def _fits(claim: Claim, theirs: Entries) -> Held | None:
     try:
         held = hold(claim, theirs)
-    except RkverifyError:
+    except (RkverifyError, np.linalg.LinAlgError):
         return None  # such shape functions do not exist here: the hypothesis is not it
     return held if held.fits else None
 
@@ -58,7 +58,7 @@ def _slip(claim: Claim, theirs: Entries) -> Slip | None:
         lengths = lengths_at(claim.cloud, neighbours(claim.cloud, claim.points))
         fitting = (slip for slip in SLIPS if hold(claim, theirs, slip.act(right, lengths)).fits)
         return next(fitting, None)
-    except RkverifyError:
+    except (RkverifyError, np.linalg.LinAlgError):
         return None
 
 
@@ -92,16 +92,16 @@ def _claimed(claim: Claim, group: str) -> str:
         "owner": "supports owned by the nodes (source)",
         "window": f"{claim.cloud.window} windows",
         "support": "the support radius that was given",
+        "scaling": "kernels of z alone",
         "derivative": f"{claim.derivative} derivatives",
     }
     return words[group]
 
 
-def _sample(held: Held) -> Array:
-    """Rows to try hypotheses on: the worst, and others spread over the table."""
-    over = held.excess.max(axis=1)
-    worst = np.argsort(-over, kind="stable")[: SAMPLE // 2]
-    spread = np.linspace(0, len(over) - 1, SAMPLE // 2).astype(int)
+def worst_and_spread(held: Held, most: int, rows: Array) -> Array:
+    """Of the given rows the worst, and others spread over them, at most so many."""
+    worst = rows[np.argsort(-held.excess[rows].max(axis=1), kind="stable")[: most // 2]]
+    spread = rows[np.linspace(0, len(rows) - 1, most // 2).astype(int)]
     return np.unique(np.concatenate([worst, spread]))
 
 

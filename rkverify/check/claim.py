@@ -6,12 +6,13 @@ from typing import Literal, get_args
 import numpy as np
 
 from rkverify.check.entries import Entries
+from rkverify.check.weighted import weighted
 from rkverify.errors import BadInput
 from rkverify.readings import Derivative
 from rkverify.solid.cloud import Cloud
-from rkverify.solid.kernel_values import Array
+from rkverify.solid.kernel_values import Array, kernel_values
 from rkverify.solid.neighbours import Neighbours, neighbours
-from rkverify.solid.shape import Shape, shape
+from rkverify.solid.shape import shape
 
 Owner = Literal["source", "target", "mean"]
 OWNERS: tuple[Owner, ...] = get_args(Owner)
@@ -22,7 +23,8 @@ OWNERS: tuple[Owner, ...] = get_args(Owner)
 class Claim:
     """Shape functions of a cloud at points (P, d): the reading of their derivative, and who owns the supports.
 
-    point_supports (P,): of the points themselves, None where they have none.
+    point_supports (P,): of the points themselves, None where they have none. normalised: kernels divided by a^d, as in
+    smoothed particle hydrodynamics, which matters where supports differ.
     """
 
     cloud: Cloud
@@ -30,6 +32,7 @@ class Claim:
     derivative: Derivative = "full"
     owner: Owner = "source"
     point_supports: Array | None = None
+    normalised: bool = False
 
     def at(self, rows: Array) -> "Claim":
         """The same claim about some of the points."""
@@ -41,38 +44,56 @@ def predicted(claim: Claim, columns: tuple[str, ...], known: Neighbours | None =
     """The numbers that the claim leads to, psi and derivatives as the columns name them.
 
     known: neighbours of the points, where others than those under the supports are to be used; for the owner `source`.
-    Raises what `shape` raises, and BadInput for supports of points that have none.
+    Raises what `shape` raises, BadInput for supports of points that have none, LinAlgError for a singular moment matrix.
     """
-    derivatives = int(len(columns) > 1 or columns != ("psi",))
-    if claim.owner == "source":
-        there = shape(claim.cloud, claim.points, derivatives, claim.derivative, known)
-        return _entries(there, claim, columns)
-    if claim.point_supports is None:
-        raise BadInput("the points have no supports of their own: give their file a column a")
-    everyone = []
-    for point, own in zip(claim.points, claim.point_supports, strict=True):
-        shared = np.full(len(claim.cloud), own) if claim.owner == "target" else (own + claim.cloud.supports) / 2
-        there = shape(claim.cloud.at(claim.cloud.positions, shared), point[None], derivatives, claim.derivative)
-        everyone.append(_entries(there, claim, columns))
-    rows = [np.full(len(one.nodes), p) for p, one in enumerate(everyone)]
-    return replace(
-        everyone[0],
-        rows=np.concatenate(rows),
-        nodes=np.concatenate([one.nodes for one in everyone]),
-        numbers=np.concatenate([one.numbers for one in everyone]),
-        count=len(claim.points),
-    )
+    if claim.owner == "source" and not claim.normalised:
+        there = shape(claim.cloud, claim.points, int(columns != ("psi",)), claim.derivative, known)
+        pattern = there.neighbours
+        return _entries(claim, columns, pattern.points, pattern.nodes, there.values, there.gradients)
+    rows = [_of_point(claim, point) for point in range(len(claim.points))]
+    points = np.repeat(np.arange(len(rows)), [len(nodes) for nodes, _, _ in rows])
+    nodes, values, slopes = (np.concatenate(parts) for parts in zip(*rows, strict=True))
+    return _entries(claim, columns, points, nodes, values, slopes)
 
 
-def _entries(there: Shape, claim: Claim, columns: tuple[str, ...]) -> Entries:
-    parts = [there.values[:, None]] if "psi" in columns else []
-    if there.gradients is not None:
-        parts.append(there.gradients)
+def _of_point(claim: Claim, point: int) -> tuple[Array, Array, Array]:
+    """Nodes, values and gradients at one point with supports that are not the nodes' alone, or normalised kernels."""
+    cloud, x = claim.cloud, claim.points[point]
+    a = cloud.supports
+    if claim.owner != "source":
+        if claim.point_supports is None:
+            raise BadInput("the points have no supports of their own: give their file a column a")
+        own = np.full(len(cloud), claim.point_supports[point])
+        a = own if claim.owner == "target" else (own + a) / 2
+    y = x - cloud.positions
+    nodes = np.flatnonzero((abs(y).max(axis=1) if cloud.window == "tensor" else np.sqrt((y**2).sum(axis=1))) < a)
+    y, a = y[nodes], a[nodes]
+    w, dw = _windows(cloud, y, a)
+    scale = (a.max() / a) ** cloud.dimension if claim.normalised else np.ones(len(a))
+    unit = a.max()
+    values, slopes = weighted(y / unit, scale * w, unit * scale[:, None] * dw, cloud.order, claim.derivative)
+    return nodes, values, slopes / unit
+
+
+def _windows(cloud: Cloud, y: Array, a: Array) -> tuple[Array, Array]:
+    """phi_a (n,) and its gradient (n, d) at offsets y."""
+    if cloud.window == "radial":
+        r = np.sqrt((y**2).sum(axis=1))
+        phi, slope = kernel_values(cloud.kernel, r, a, 1)
+        return phi, (slope / np.where(r > 0, r, 1.0))[:, None] * y
+    phi, slope = kernel_values(cloud.kernel, y, a[:, None], 1)
+    others = [np.prod(np.delete(phi, k, axis=1), axis=1) for k in range(y.shape[1])]
+    return np.prod(phi, axis=1), slope * np.column_stack(others)
+
+
+def _entries(
+    claim: Claim, columns: tuple[str, ...], points: Array, nodes: Array, values: Array, slopes: Array | None
+) -> Entries:
+    parts = [values[:, None]] if "psi" in columns else []
+    if slopes is not None and columns != ("psi",):
+        parts.append(slopes)
     numbers = np.concatenate(parts, axis=1)
-    pattern = there.neighbours
-    return Entries(
-        pattern.points, pattern.nodes, numbers, columns, len(pattern), len(claim.cloud), np.zeros(len(columns))
-    )
+    return Entries(points, nodes, numbers, columns, len(claim.points), len(claim.cloud), np.zeros(len(columns)))
 
 
 def without(cloud: Cloud, points: Array, left_out: dict[int, list[int]]) -> Neighbours:

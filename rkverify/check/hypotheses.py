@@ -13,8 +13,9 @@ import numpy as np
 
 from rkverify.check.claim import OWNERS, Claim, Owner
 from rkverify.check.entries import Entries
+from rkverify.check.other_kernels import OTHER_KERNELS
 from rkverify.check.sums import column_axis
-from rkverify.kernels import KERNELS
+from rkverify.kernels import KERNELS, Kernel
 from rkverify.kernels import kernel as kernel_named
 from rkverify.readings import DERIVATIVES, WINDOWS, Derivative, Window
 
@@ -27,6 +28,13 @@ class Hypothesis:
     says: str
     advice: str
     change: Callable[[Claim], Claim]
+
+
+def _weights(kernel: Kernel) -> Hypothesis:
+    return Hypothesis(
+        "kernel", f"the weights {kernel.name}, z = distance / support", "take a kernel that --kernel offers, or check with these weights in mind",
+        lambda claim: replace(claim, cloud=replace(claim.cloud, kernel=kernel)),
+    )  # fmt: skip
 
 
 def _kernel(name: str) -> Hypothesis:
@@ -78,11 +86,19 @@ def _support(factor: float, words: str) -> Hypothesis:
     )  # fmt: skip
 
 
+_NORMALISED = Hypothesis(
+    "scaling", "kernels divided by a^d",
+    "leave the kernel as a function of z alone: its factor is no matter where supports are alike, and is one where they differ",
+    lambda claim: replace(claim, normalised=True),
+)  # fmt: skip
+
 HYPOTHESES: tuple[Hypothesis, ...] = (
     *(_owner(owner) for owner in OWNERS),
     *(_kernel(name) for name in KERNELS),
+    *(_weights(kernel) for kernel in OTHER_KERNELS),
     *(_order(order) for order in (0, 1, 2)),
     *(_window(window) for window in WINDOWS),
+    _NORMALISED,
     _support(0.5, "half"),
     _support(2.0, "twice"),
     _support(1 / 3, "a third of"),
@@ -123,6 +139,11 @@ def _same(one: Claim, other: Claim) -> bool:
         own = other.point_supports
         # supports all alike belong to nobody
         return own is None or bool(np.ptp([*other.cloud.supports, *own]) == 0)
+    if one.normalised != other.normalised:
+        supports = (
+            other.cloud.supports if other.point_supports is None else [*other.cloud.supports, *other.point_supports]
+        )
+        return bool(np.ptp(supports) == 0)
     a, b = one.cloud, other.cloud
     alike = (a.kernel.name, a.order, a.window, one.derivative) == (b.kernel.name, b.order, b.window, other.derivative)
     one_dimensional = a.dimension == 1 and a.window != b.window  # there the two windows are one

@@ -62,6 +62,16 @@ COMMANDS = (
         _later("gradients", "gradients"),
     ),
     Command(
+        "check",
+        "what somebody else's shape functions or gradients are",
+        "Which sums they satisfy, which derivative, edge rule, kernel, order and supports they have if not those that are\n"
+        "claimed, which neighbours are missing, and where they differ most from ours. Options tell what is claimed.\n"
+        "Status 0 if the numbers are that, 1 if not.",
+        "  rkverify check shape --nodes nodes.csv --points points.csv --support 2.5 --values theirs.csv",
+        options.check,
+        _later("check", "check"),
+    ),
+    Command(
         "dispersion",
         "frequencies and growth of a plane wave on the uniform lattice",
         "Roots omega of the dispersion relation for a plane wave e^{i(kx + omega t)}; growth = -Im(omega); rho = 1,\n"
@@ -74,7 +84,7 @@ COMMANDS = (
     ),
     Command(
         "bloch",
-        "frequencies and growth of plane waves on a stressed lattice in the plane",
+        "frequencies and growth of waves on a stressed plane lattice",
         "omega^2 of plane waves e^{i(k.x + omega t)} on a lattice at rest under a uniform stress, semi-Lagrangian, nearest\n"
         "neighbours at distance 1, rho = 1, lumped mass, plane strain: the eigenvalues of K(k)/m. Columns\n"
         "mode,omega2_re,omega2_im,growth with growth = Re (-omega^2)^(1/2); kx,ky come first where several k are given.",

@@ -36,7 +36,7 @@ def operator_of(nodes: Cloud, options: Namespace) -> tuple[GradientOperator, lis
     if options.integration == "dni":
         if options.edge_rule is not None:
             raise BadInput("--edge-rule is for scni and snni: DNI takes derivatives at the node; leave it out")
-        cells, numbers = cells_of(nodes, options) if _tells_cells(options) else (None, list(range(len(nodes))))
+        cells, numbers = cells_of(nodes, options) if tells_cells(options) else (None, list(range(len(nodes))))
         measures = np.ones(len(nodes))
         if cells is not None:
             measures[numbers] = cells.measures
@@ -45,7 +45,7 @@ def operator_of(nodes: Cloud, options: Namespace) -> tuple[GradientOperator, lis
         raise BadInput(
             f"--derivative {options.derivative} is for dni: {options.integration} takes no derivative; leave it out"
         )
-    if not _tells_cells(options):
+    if not tells_cells(options):
         raise BadInput(f"--integration {options.integration} needs cells: give --domain FILE, --box or --cells FILE")
     cells, numbers = cells_of(nodes, options)
     rule = options.edge_rule or RULES[options.integration]
@@ -71,7 +71,8 @@ def cells_of(nodes: Cloud, options: Namespace) -> tuple[Cells, list[int]]:
         raise BadInput(f"{options.cells}: {told}") from None
 
 
-def _tells_cells(options: Namespace) -> bool:
+def tells_cells(options: Namespace) -> bool:
+    """Whether the options say which cells there are."""
     return any(given is not None for given in (options.domain, options.box, options.cells))
 
 

@@ -87,6 +87,40 @@ def gradients(parser: ArgumentParser) -> None:
     output(parser)
 
 
+def check(parser: ArgumentParser) -> None:
+    """Add the options of `rkverify check`."""
+    parser.add_argument("subject", choices=("shape", "gradients"), metavar="WHAT", help="shape or gradients")
+    nodes_and_supports(parser)
+    parser.add_argument(
+        "--values",
+        required=True,
+        metavar="CSV",
+        help="the numbers, as `rkverify shape` and `rkverify gradients` print them; psi or the derivatives may be missing",
+    )
+    parser.add_argument(
+        "--tolerance",
+        default="0",
+        metavar="T",
+        help="allowed besides rounding and the digits printed, relative to the largest number of a column (default 0)",
+    )
+    parser.add_argument(
+        "--points",
+        metavar="CSV",
+        help="shape: points, header as the nodes'; a column a tells the support at the point, to try whose supports are in use",
+    )
+    parser.add_argument("--integration", metavar="NAME", help="gradients: what is claimed, scni, dni or snni")
+    parser.add_argument(
+        "--edge-rule",
+        metavar="RULE",
+        help="gradients: what is claimed, trapezoid (default of scni), midpoint (default of snni) or gauss:N",
+    )
+    domain(parser).add_argument(
+        "--cells", metavar="CSV", help="cells as they are, header node,ring,vertex,x,y; ring may be missing"
+    )
+    parser.add_argument("--json", action="store_true", help="JSON instead of text")
+    parser.add_argument("--out", metavar="FILE", help="write to FILE instead of standard output")
+
+
 def dispersion(parser: ArgumentParser) -> None:
     """Add the options of `rkverify dispersion`."""
     parser.add_argument("--formulation", required=True, metavar="NAME", help="lagrangian or semi-lagrangian")

@@ -119,6 +119,11 @@ def write_table(columns: Sequence[str], rows: Sequence[Sequence[Any]], as_json: 
         writer.writerow(columns)
         writer.writerows(rows)
         text = stream.getvalue()
+    write_text(text, out)
+
+
+def write_text(text: str, out: str | None) -> None:
+    """Write text to standard output or to a file; raises BadInput where the file cannot be written."""
     if out is None:
         sys.stdout.write(text)
     elif Path(out).exists() and not (Path(out).is_file() or Path(out).is_dir()):
