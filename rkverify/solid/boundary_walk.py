@@ -21,8 +21,10 @@ PARALLEL = 1e-12
 
 @dataclass(frozen=True)
 class Walk:
-    """What is met along the rings, in order: corners (k >= 0 in `corner`) and steps (corner -1) across edge `side` of `triangle`.
+    """What is met along the rings, in order: corners (k >= 0 in `corner`) and steps (below 0) across edge `side` of `triangle`.
 
+    A step of corner -1 is where the nodes' bisector meets the domain's edge; one of corner -2, onto the node inside where
+    that bisector runs along the edge, is at the place met before.
     owner: the node that owns the boundary from there on; before: the one up to there; edge: the first corner of the
     domain's edge; turn: where in its ring a ring starts anew (R + 1,).
     """
@@ -71,8 +73,12 @@ def _next_owner(
     py: float,
     dx: float,
     dy: float,
-) -> tuple[float, int, int]:
-    """The least t <= 1 at which a neighbour of node i becomes as near to A + t d as i, with the triangle and its edge; or t = 2."""
+) -> tuple[int, int, bool]:
+    """The triangle and its edge to the neighbour that is the first to be as near to A + t d, t <= 1, as node i; or -1.
+
+    Of two nodes that are as near all along, the one inside owns the edge, or the other one would have a piece without
+    area there: the third result says that it takes over at once.
+    """
     least, at, side = 2.0, -1, -1
     long = np.hypot(dx, dy)
     t = first
@@ -81,15 +87,18 @@ def _next_owner(
         j = triangles[t, (k + 1) % 3]
         if j < count:
             ax, ay = x[j, 0] - x[i, 0], x[j, 1] - x[i, 1]
-            slope = ax * dx + ay * dy
-            if slope > PARALLEL * long * np.hypot(ax, ay):
-                above = ax * ((x[j, 0] - px) + (x[i, 0] - px)) + ay * ((x[j, 1] - py) + (x[i, 1] - py))
+            slope, apart = ax * dx + ay * dy, np.hypot(ax, ay)
+            above = ax * ((x[j, 0] - px) + (x[i, 0] - px)) + ay * ((x[j, 1] - py) + (x[i, 1] - py))
+            if abs(slope) <= PARALLEL * long * apart:
+                if abs(above) <= PARALLEL * apart and dx * ay - dy * ax > 0:
+                    return t, (k + 2) % 3, True
+            elif slope > 0:
                 where = above / (2 * slope)
                 if where <= 1 and where < least:
                     least, at, side = where, t, (k + 2) % 3
         t = neighbours[t, (k + 1) % 3]
         if t == first:
-            return least, at, side
+            return at, side, False
 
 
 @compiled
@@ -111,8 +120,7 @@ def _walk(
                 after = c + 1 if c + 1 < b else a
                 px, py = corners[c, 0], corners[c, 1]
                 dx, dy = corners[after, 0] - px, corners[after, 1] - py
-                at, side, before = -1, -1, owner
-                corner = c
+                at, side, before, corner = -1, -1, owner, c
                 while True:
                     if n == room:
                         room *= 2
@@ -122,12 +130,12 @@ def _walk(
                     met[n, 0], met[n, 1], met[n, 2] = corner, at, side
                     met[n, 3], met[n, 4], met[n, 5] = before, owner, c
                     n += 1
-                    _, at, side = _next_owner(
+                    at, side, at_once = _next_owner(
                         x, triangles, neighbours, one_triangle[owner], owner, count, px, py, dx, dy
                     )
                     if at < 0:
                         break
-                    corner, before = -1, owner
+                    corner, before = -2 if at_once else -1, owner
                     owner = triangles[at, (side + 2) % 3]
             if owner == began:
                 break

@@ -91,20 +91,28 @@ def _topology(
 
     points = np.concatenate(rings)
     along = np.concatenate([np.roll(ring, -1, axis=0) - ring for ring in rings])
-    lines = met.edge[step]
-    pairs = np.stack([met.before[step], met.owner[step]], axis=1)
-    first, second = x[pairs[:, 0]], x[pairs[:, 1]]
-    place = corners[lines] + bisected(first, second, corners[lines], along[lines])[:, None] * along[lines]
-    turned = np.where(enters[:, None], second - first, first - second)
+    formula = met.corner == -1
+    lines = met.edge[formula]
+    pairs = np.stack([met.before[formula], met.owner[formula]], axis=1)
+    t = bisected(x[pairs[:, 0]], x[pairs[:, 1]], corners[lines], along[lines])
+    place = corners[met.corner]
+    place[formula] = corners[lines] + t[:, None] * along[lines]
+    vertex = np.where(formula, len(triangles) + np.cumsum(formula) - 1, len(triangles) + len(pairs) + met.corner)
+    had = np.maximum.accumulate(np.where(met.corner == -2, 0, np.arange(len(vertex))))
+    place, vertex = place[had][step], vertex[had]
+    first, second = edges.cells(key).T
+    turned = x[second] - x[first]
     depth = place[:, 1] * turned[:, 0] - place[:, 0] * turned[:, 1]
-    vertex = np.where(step, len(triangles) + np.cumsum(step) - 1, len(triangles) + len(pairs) + met.corner)
 
     whole, parted = _whole_and_parted(edges, key)
     parts, of_edge = _parts(edges, parted, (key, enters, vertex[step], depth))
     after = np.arange(1, len(vertex) + 1)
     after[met.turn[1:] - 1] = met.turn[:-1]
-    ends = [edges.ends(whole), parts, np.stack([vertex, vertex[after]], axis=1)]
-    sides = [edges.cells(whole), edges.cells(of_edge), np.stack([met.owner, np.full(len(vertex), OUTSIDE)], axis=1)]
+    outer_ends = np.stack([vertex, vertex[after]], axis=1)
+    outer_sides = np.stack([met.owner, np.full(len(vertex), OUTSIDE)], axis=1)
+    there = vertex != vertex[after]
+    ends = [edges.ends(whole), parts, outer_ends[there]]
+    sides = [edges.cells(whole), edges.cells(of_edge), outer_sides[there]]
     return _without_unused(
         Topology(
             triangles,
