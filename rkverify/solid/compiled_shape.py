@@ -80,15 +80,19 @@ def moment_stage(d: int, n: int) -> Callable[..., tuple[int, int, int, float]]:
                 for c in range(packed):
                     factors[row, c] = M[c]
                 continue
-            # What rounding can leave of a pivot: each entry is a sum over the nodes, each elimination adds as much again.
+            # What rounding can leave of a pivot: each entry is a sum over the nodes, each elimination adds as much again,
+            # and an earlier pivot that kept little of its diagonal entry makes its share of this one that much less certain.
             rounding = m * (starts[p + 1] - starts[p] + m) * 2.220446049250313e-16
+            least = 1.0
             for j in range(m):
                 jj = j * (j + 1) // 2
                 pivot = M[jj + j]
                 for k in range(j):
                     pivot -= M[jj + k] * M[jj + k] * term[k]
-                if not pivot.real > rounding * M[jj + j].real:
-                    return p, SINGULAR, j, pivot.real / M[jj + j].real
+                kept = pivot.real / M[jj + j].real
+                if not kept * least > rounding:
+                    return p, SINGULAR, j, kept
+                least = min(least, kept)
                 term[j] = pivot
                 M[jj + j] = 1.0 / pivot
                 for i in range(j + 1, m):

@@ -289,6 +289,21 @@ def test_collinear_nodes_are_refused_and_one_beside_the_line_heals() -> None:
     assert abs(shape(cloud([*line, [0.3, 0.4]], 1), x).values.sum() - 1) < 1e-12
 
 
+@given(SEEDS, st.integers(2, 3), st.integers(1, 2))
+@example(
+    seed=92, d=3, order=1
+)  # nearly on a line in its plane: the last pivot is 40 times what rounding leaves elsewhere
+def test_every_line_and_plane_is_refused(seed: int, d: int, order: int) -> None:
+    """On a line (or in a plane) in any direction rounding leaves a pivot of either sign: it must not pass for one."""
+    rng = np.random.default_rng(seed)
+    flat = rng.uniform(-1, 1, (12, d - 1)) @ rng.normal(size=(d - 1, d))
+    c = cloud(flat, 4 * np.sqrt((flat**2).sum(axis=1)).max(), order=order)
+    with pytest.raises(SingularMomentMatrix):
+        shape(c, flat[:1] / 2)
+    lifted = c.at(flat + 0.3 * abs(flat).max() * rng.normal(size=flat.shape))
+    assert abs(shape(lifted, flat[:1] / 2).values.sum() - 1) < 1e-13 * condition_numbers(lifted, flat[:1] / 2)[0]
+
+
 def test_a_circle_is_no_place_for_a_quadratic_basis() -> None:
     """Six points on a conic cannot tell quadratic functions apart, wherever they lie: refused; five of them and the centre can."""
     circle = [[np.cos(t), np.sin(t)] for t in np.arange(7) * 0.9]
