@@ -154,20 +154,19 @@ def compute(p: Parameters) -> Tables:
 def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
     """Nodal masses in time; N's column sums against the rates of nodal mass."""
     nodes, in_time = tables["nodes"].frame, tables["in_time"].frame
-    figure = new_figure(7.4, 3.4)
+    figure = new_figure(7.4, 3.7)
     left, right = figure.subplots(1, 2)
     for J in nodes["node"]:
         left.plot(in_time["time"], in_time[f"m_{J}"] / in_time[f"m_{J}"][0], color="#8A8A8A", linewidth=0.8)
     left.plot([], [], color="#8A8A8A", linewidth=0.8, label="one node")
     left.plot(in_time["time"], in_time["total"] / in_time["total"][0], label="all nodes", **LINES[0])
     left.set(xlabel="time  (length/velocity)", ylabel="mass over mass at t = 0  (1)")
-    left.legend()
     ends = [nodes["rate"].min(), nodes["rate"].max()]
     right.plot(ends, ends, color="#808080", linewidth=1, label="equal")
     right.plot(nodes["rate"], nodes["true"], "o", color=LINES[1]["color"], markersize=4, label="N with the true rate")
     right.plot(nodes["rate"], nodes["star"], "x", color=LINES[2]["color"], markersize=5, label="N with Ψ*")
     right.set(xlabel="rate of the nodal mass  (mass/time)", ylabel="column sum of N  (mass/time)")
-    right.legend(loc="lower right")
+    figure.legend(loc="outside lower center", ncols=5)
     caption = (
         f"Nodal masses of {p.moving_per_side} by {p.moving_per_side} jittered nodes with random velocities (ours), cells' masses kept; "
         "cubic kernel, order 1, radial support 5/2 spacings (ours). Left: in time. Right: at t = 0, node by node."
