@@ -4,27 +4,28 @@ import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
-from rkverify.solid.domain import Box, Domain
 from rkverify.solid.kernel_values import Array
+from rkverify.solid.touched_facets import split_at_corners
 
 ROUNDING = 64 * np.finfo(float).eps
 """Vertices of well-shaped cells are rounded by a few units of the coordinates' size; more only where triangles are thin."""
 
 
-def without_coincident(vertices: Array, ends: Array, sides: Array, domain: Box | Domain) -> tuple[Array, Array, Array]:
-    """Vertices, ends (F, d) and sides of facets without those in the plane that have no length.
+def without_coincident(
+    vertices: Array, ends: Array, sides: Array, first_corner: int, size: float
+) -> tuple[Array, Array, Array]:
+    """Vertices, ends (F, 2) and sides of facets in the plane, without those that have no length, for coordinates of some size.
 
-    Of coincident vertices the last one stays, so that corners of the domain are not moved.
+    Of coincident vertices the last one stays, so that corners of the domain, from number first_corner on, are not moved.
     """
-    if ends.shape[1] == 1:
-        return vertices, ends, sides
-    size = max(abs(bound).max() for bound in domain.bounds)
+    tolerance = ROUNDING * size
+    ends, sides, joined = split_at_corners(vertices, ends, sides, first_corner, tolerance)
     a, b = ends[:, 0], ends[:, 1]
     x, y = np.ascontiguousarray(vertices[:, 0]), np.ascontiguousarray(vertices[:, 1])
-    short = (abs(x[a] - x[b]) <= ROUNDING * size) & (abs(y[a] - y[b]) <= ROUNDING * size)
-    if not short.any():
+    short = (abs(x[a] - x[b]) <= tolerance) & (abs(y[a] - y[b]) <= tolerance)
+    if not short.any() and not len(joined):
         return vertices, ends, sides
-    stands_for = representatives(ends[short], len(vertices))
+    stands_for = representatives(np.concatenate([ends[short], joined]), len(vertices))
     ends = stands_for[ends]
     kept = ends[:, 0] != ends[:, 1]
     ends, sides = ends[kept], sides[kept]

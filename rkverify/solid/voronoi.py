@@ -37,9 +37,12 @@ def voronoi(positions: Any, domain: Box | Domain) -> Cells:
             raise BadInput("the nodes are complex: in three dimensions there are cells at real positions alone")
         return space_cells(x, _checked_box(x, domain))
     found = topology(x, domain)
-    if np.iscomplexobj(x):
+    if np.iscomplexobj(x) or x.shape[1] == 1:
         return moved(found, x)
-    vertices, ends, sides = without_coincident(found.vertices(x), found.ends, found.sides, domain)
+    size = max(abs(bound).max() for bound in domain.bounds)
+    all_vertices = found.vertices(x)
+    first_corner = len(all_vertices) - len(found.fixed)
+    vertices, ends, sides = without_coincident(all_vertices, found.ends, found.sides, first_corner, size)
     return assembled(x, vertices, ends, sides, found.signs)
 
 

@@ -98,6 +98,8 @@ def test_cells_tile_the_square_and_each_point_is_nearest_to_its_own(x: np.ndarra
 
 @given(nodes=nodes_in_polygons(), seed=st.integers(0, 2**32 - 1))
 @example(nodes=(np.array([[0, 0.25], [0.875, 0.5], [0.875, 1]]), polygon_domain(POLYGONS["hole"])), seed=0)
+@example(nodes=(np.array([[0, 0.5], [0.5, 1]]), polygon_domain(POLYGONS["L"])), seed=0)
+@example(nodes=(np.array([[0.25, 0.75], [0.25, 0.25], [0.75, 0.25]]), polygon_domain(POLYGONS["L"])), seed=0)
 def test_cells_tile_a_polygon_that_is_not_convex(nodes: tuple[np.ndarray, Domain], seed: int) -> None:
     """The same around holes and behind slits, where cells have pieces; and as polygons read back they are the same."""
     x, domain = nodes

@@ -115,6 +115,33 @@ def test_a_cell_keeps_its_pieces() -> None:
     _tiles(cells, domain)
 
 
+def test_pieces_that_touch_at_a_corner_of_the_domain_are_two_rings() -> None:
+    """The bisector runs through the corner that points in: on its far side two triangles, which no other program takes as one ring.
+
+    The twin: with the one node nearer to the corner by 1e-10 there are two, with the other one nearer, one around the corner.
+    """
+    domain = polygon_domain(DOMAINS["L"])
+    cells = voronoi([[0, 0.5], [0.5, 1]], domain)
+    assert [len(loops) for loops in all_rings(cells)] == [1, 2]
+    assert (cells.sides[:, 1] != OUTSIDE).sum() == 2
+    _tiles(cells, domain)
+    for first, second, pieces, facets in ((1e-10, 0, 2, 2), (0, 1e-10, 1, 1)):
+        cells = voronoi([[first, 0.5], [0.5, 1 - second]], domain)
+        assert [len(loops) for loops in all_rings(cells)] == [1, pieces]
+        assert (cells.sides[:, 1] != OUTSIDE).sum() == facets
+
+
+def test_along_a_bisector_the_node_inside_owns_the_boundary() -> None:
+    """Both nodes are as near to the hole's upper edge, but one has the domain above it, the other would have a strip without area."""
+    domain = polygon_domain([SQUARE, [(0.25, 0.25), (0.75, 0.25), (0.75, 0.75), (0.25, 0.75)]])
+    for turn in (0.0, 0.3):
+        rings = [_turned(ring, turn, 0.0) for ring in domain.rings]
+        cells = voronoi(_turned([[0.875, 0.5], [0.875, 1]], turn, 0.0), polygon_domain(rings))
+        np.testing.assert_allclose(cells.measures, [0.5, 0.25], rtol=0, atol=16 * EPS)
+        perimeters = [np.linalg.norm(cells.areas[(cells.sides == L).any(axis=1)], axis=1).sum() for L in (0, 1)]
+        np.testing.assert_allclose(perimeters, [4.5, 2.5], rtol=0, atol=64 * EPS)
+
+
 def test_a_lattice_has_no_facets_without_length() -> None:
     """Where four cells meet in a point the triangulation has a diagonal, whose facet would be between cells that only touch."""
     g = np.stack(np.meshgrid(np.arange(5.0), np.arange(5.0)), axis=-1).reshape(-1, 2)
