@@ -62,18 +62,20 @@ def offset_stage(d: int, tensor: bool) -> Callable[..., None]:
     """Offsets of a block's entries in units of the largest support in their row, and z = |y|/a_J, one or d of them."""
 
     def offsets(
-        starts: Array, nodes: Array, points: Array, positions: Array, supports: Array, first: int, last: int,
+        starts: Array, nodes: Array, points: Array, positions: Array, supports: Array, rows: Array,
         scale: Array, y: Array, z: Array,
     ) -> None:  # fmt: skip
-        origin = starts[first]
-        for p in range(first, last):
+        begin = 0
+        for row in range(len(rows)):
+            p = rows[row]
+            shift = starts[p] - begin
             a = 0.0
             for e in range(starts[p], starts[p + 1]):
                 a = max(a, supports[nodes[e]])
-            scale[p - first] = a
+            scale[row] = a
             per_a = 1.0 / a if a > 0.0 else 0.0
             for e in range(starts[p], starts[p + 1]):
-                J, i = nodes[e], e - origin
+                J, i = nodes[e], e - shift
                 if tensor:
                     for k in range(d):
                         offset = points[p, k] - positions[J, k]
@@ -89,6 +91,7 @@ def offset_stage(d: int, tensor: bool) -> Callable[..., None]:
                         square += offset * offset
                         nonzero |= offset.real != 0
                     z[0, i] = np.sqrt(square) / supports[J] if nonzero else 0.0
+            begin += starts[p + 1] - starts[p]
 
     return compiled(offsets)
 
@@ -99,14 +102,16 @@ def weight_stage(d: int, tensor: bool) -> Callable[..., None]:
     pairs = np.array(axis_pairs(d))
 
     def weights_of(
-        starts: Array, nodes: Array, supports: Array, first: int, last: int, derivatives: int,
+        starts: Array, nodes: Array, supports: Array, rows: Array, derivatives: int,
         scale: Array, y: Array, f: Array, g: Array, s: Array, weights: Array,
     ) -> None:  # fmt: skip
-        origin = starts[first]
-        for p in range(first, last):
+        begin = 0
+        for row in range(len(rows)):
+            p = rows[row]
+            shift = starts[p] - begin
             for e in range(starts[p], starts[p + 1]):
-                i = e - origin
-                ratio = scale[p - first] / supports[nodes[e]]
+                i = e - shift
+                ratio = scale[row] / supports[nodes[e]]
                 ratio *= ratio
                 if not tensor:
                     weights[0, i] = f[0, i]
@@ -141,5 +146,6 @@ def weight_stage(d: int, tensor: bool) -> Callable[..., None]:
                                 if other != k and other != l:
                                     second = second * f[other, i]
                             weights[1 + d + kl, i] = second
+            begin += starts[p + 1] - starts[p]
 
     return compiled(weights_of)

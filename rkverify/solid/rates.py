@@ -53,7 +53,7 @@ def _rates(
     rates = np.empty(len(known.nodes), kind)
     run = rate_stage(cloud.dimension, cloud.order)
     for block in blocks(cloud, x, known, 1):
-        run(known.nodes, *block.of_shape, v, v_nodes, true, rates)
+        run(block.nodes, *block.of_shape, v, v_nodes, true, rates)
     return rates
 
 

@@ -17,6 +17,7 @@ from rkverify.paper.approximation import approximation
 from rkverify.readings import DERIVATIVES, WINDOWS, Derivative, Window
 from rkverify.solid.cloud import Cloud, cloud
 from rkverify.solid.kernel_values import Array
+from rkverify.solid.neighbours import Neighbours
 from rkverify.solid.shape import condition_numbers, shape
 
 SEEDS, DIMENSIONS, ORDERS = st.integers(0, 2**32 - 1), st.integers(1, 3), st.integers(0, 2)
@@ -197,13 +198,14 @@ def test_the_gap_would_show_a_wrong_digit() -> None:
 
 
 def test_blocks_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Points taken 1, a few or all at once: the same bytes."""
+    """Points taken 1, a few or all at once, in the search's order or in their own: the same bytes."""
     c, x = made(7, 2, 2)
     x = np.concatenate([x + shift for shift in np.linspace(0, 0.9, 8)[:, None]])
     once = shape(c, x, 2)
-    for entries in (1, 100):
+    plain = Neighbours(once.neighbours.starts, once.neighbours.nodes)
+    for entries, known in ((1, None), (100, None), (100, plain)):
         monkeypatch.setattr(block_module, "_ENTRIES", entries)
-        again = shape(c, x, 2)
+        again = shape(c, x, 2, neighbours=known)
         for one, other in zip(
             (once.values, once.gradients, once.seconds), (again.values, again.gradients, again.seconds), strict=True
         ):
@@ -278,6 +280,15 @@ def test_too_few_nodes_and_gaps_are_named() -> None:
         condition_numbers(c, np.array([[-0.9, 0.0]]))
 
 
+def test_the_first_of_many_gaps_is_named() -> None:
+    """Whatever the order in which points are taken."""
+    X = np.array(list(product(range(12), repeat=2)), dtype=float)
+    x = np.random.default_rng(8).permutation(np.array(list(product(np.arange(0.5, 14), repeat=2))))
+    first = np.flatnonzero((x > 12).any(axis=1))[0]
+    with pytest.raises(TooFewNodes, match=rf"^point {first} at .* lies in a gap"):
+        shape(cloud(X, 1.2, order=0), x)
+
+
 def test_collinear_nodes_are_refused_and_one_beside_the_line_heals() -> None:
     line = [[0.1 * k, 0.2 * k] for k in range(6)]
     x = np.array([[0.25, 0.5]])
@@ -327,6 +338,10 @@ def test_what_is_not_offered_is_refused() -> None:
         shape(c, np.array([[0.5, 0.5], [0.5, 0.6]]), neighbours=known)
     with pytest.raises(BadInput, match="the nodes run from 0 to 2"):
         shape(cloud(PLANE[:3], 2), x, neighbours=known)
+    with pytest.raises(BadInput, match="the starts of neighbours must ascend from 0 to their number"):
+        shape(c, x, neighbours=Neighbours(known.starts + 1, known.nodes))
+    with pytest.raises(BadInput, match="the order of the points"):
+        shape(c, x, neighbours=Neighbours(known.starts, known.nodes, np.array([1])))
 
 
 KINKS = {"at the node": 1.0, "at the edge of a support": 2.5}
