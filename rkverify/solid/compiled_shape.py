@@ -47,25 +47,24 @@ _solved = njit(_solve, inline="always", **OPTIONS)
 def moment_stage(d: int, n: int) -> Callable[..., tuple[int, int, int, float]]:
     """M(x) of (6) with y in units of the scale, packed, or its factors L D L^T with b = M^-1 H(0).
 
-    Returns (point, fault, count or pivot, what is left of it) of the first point without an inverse; fault 0 where there is none.
+    Returns (row, fault, count or pivot, what is left of it) of the first row without an inverse; fault 0 where there is none.
     """
     table = basis_tables(d, n)
     m, sums, parents, axes, products = table.size, table.sums, table.parents, table.axes, table.products
     packed = m * (m + 1) // 2
 
     def moments(
-        starts: Array, rows: Array, y: Array, weights: Array, factorise: bool, factors: Array, b: Array
+        starts: Array, first: int, last: int, y: Array, weights: Array, factorise: bool, factors: Array, b: Array
     ) -> tuple[int, int, int, float]:
         total = carray(stack_memory(y, sums), sums)
         term = carray(stack_memory(y, sums), sums)
         M = carray(stack_memory(y, packed), packed)
-        begin = end = 0
-        for row in range(len(rows)):
-            p, covering = rows[row], 0
-            begin, end = end, end + starts[p + 1] - starts[p]
+        origin = starts[first]
+        for p in range(first, last):
+            row, covering = p - first, 0
             for c in range(sums):
                 total[c] = 0.0
-            for e in range(begin, end):
+            for e in range(starts[p] - origin, starts[p + 1] - origin):
                 term[0] = weights[0, e]
                 total[0] += term[0]
                 covering += term[0].real > 0
@@ -83,7 +82,7 @@ def moment_stage(d: int, n: int) -> Callable[..., tuple[int, int, int, float]]:
                 continue
             # What rounding can leave of a pivot: each entry is a sum over the nodes, each elimination adds as much again,
             # and an earlier pivot that kept little of its diagonal entry makes its share of this one that much less certain.
-            rounding = m * (end - begin + m) * 2.220446049250313e-16
+            rounding = m * (starts[p + 1] - starts[p] + m) * 2.220446049250313e-16
             least = 1.0
             for j in range(m):
                 jj = j * (j + 1) // 2
@@ -128,18 +127,16 @@ def derivative_stage(d: int, n: int) -> Callable[..., None]:
     dm, ddm = d * m, dd * m
 
     def derivatives_of(
-        starts: Array, rows: Array, scale: Array, y: Array, weights: Array, factors: Array, b_of: Array,
+        starts: Array, first: int, last: int, scale: Array, y: Array, weights: Array, factors: Array, b_of: Array,
         derivatives: int, reading: int, values: Array, gradients: Array, seconds: Array,
     ) -> None:  # fmt: skip
         H, b = carray(stack_memory(y, m), m), carray(stack_memory(y, m), m)
         c, cH = carray(stack_memory(y, dm), dm), carray(stack_memory(y, d), d)
         e2 = carray(stack_memory(y, ddm), ddm)
-        begin, end, solves = 0, 0, reading in (FULL, DIFFUSE)
+        origin, solves = starts[first], reading in (FULL, DIFFUSE)
         H[0] = 1.0
-        for row in range(len(rows)):
-            p = rows[row]
-            begin, end = end, end + starts[p + 1] - starts[p]
-            shift = starts[p] - begin
+        for p in range(first, last):
+            row, begin, end = p - first, starts[p] - origin, starts[p + 1] - origin
             for i in range(m):
                 b[i] = b_of[row, i]
             if derivatives >= 1:
@@ -195,7 +192,7 @@ def derivative_stage(d: int, n: int) -> Callable[..., None]:
                     H[i] = H[parents[i]] * y[axes[i], e]
                     C += b[i] * H[i]
                 phi = weights[0, e]
-                values[shift + e] = C * phi
+                values[origin + e] = C * phi
                 if derivatives >= 1:
                     for k in range(d):
                         cH[k] = c[k * m]
@@ -204,7 +201,7 @@ def derivative_stage(d: int, n: int) -> Callable[..., None]:
                         slope = cH[k] * phi
                         if reading != DIFFUSE:
                             slope += C * weights[1 + k, e]
-                        gradients[shift + e, k] = slope * per_length
+                        gradients[origin + e, k] = slope * per_length
                 if derivatives >= 2:
                     for kl in range(dd):
                         k, l = pairs[kl, 0], pairs[kl, 1]
@@ -214,7 +211,7 @@ def derivative_stage(d: int, n: int) -> Callable[..., None]:
                         second = eH * phi
                         if reading != DIFFUSE:
                             second += cH[k] * weights[1 + l, e] + cH[l] * weights[1 + k, e] + C * weights[1 + d + kl, e]
-                        seconds[shift + e, kl] = second * (per_length * per_length)
+                        seconds[origin + e, kl] = second * (per_length * per_length)
 
     return compiled(derivatives_of)
 
@@ -226,23 +223,21 @@ def rate_stage(d: int, n: int) -> Callable[..., None]:
     m, parents, axes, lowered, powers = table.size, table.parents, table.axes, table.lowered, table.powers
 
     def rates_of(
-        nodes: Array, starts: Array, rows: Array, scale: Array, y: Array, weights: Array, factors: Array,
+        nodes: Array, starts: Array, first: int, last: int, scale: Array, y: Array, weights: Array, factors: Array,
         b_of: Array, velocities: Array, node_velocities: Array, true: bool, rates: Array,
     ) -> None:  # fmt: skip
         H, b, r = carray(stack_memory(y, m), m), carray(stack_memory(y, m), m), carray(stack_memory(y, m), m)
         dH, w = carray(stack_memory(y, m), m), carray(stack_memory(y, d), d)
-        begin = end = 0
+        origin = starts[first]
         H[0] = 1.0
-        for row in range(len(rows)):
-            p = rows[row]
-            begin, end = end, end + starts[p + 1] - starts[p]
-            shift = starts[p] - begin
+        for p in range(first, last):
+            row = p - first
             for i in range(m):
                 b[i] = b_of[row, i]
                 r[i] = 0.0
             for turn in range(2 if true else 1):
-                for e in range(begin, end):
-                    J = nodes[shift + e]
+                for e in range(starts[p] - origin, starts[p + 1] - origin):
+                    J = nodes[origin + e]
                     C, slope, phi = b[0], 0.0 * y[0, e], weights[0, e]
                     for i in range(1, m):
                         H[i] = H[parents[i]] * y[axes[i], e]
@@ -251,7 +246,7 @@ def rate_stage(d: int, n: int) -> Callable[..., None]:
                         w[k] = (velocities[p, k] - node_velocities[J, k]) / scale[row]
                         slope += weights[1 + k, e] * w[k]
                     if not true:
-                        rates[shift + e] = C * slope
+                        rates[origin + e] = C * slope
                         continue
                     dC = 0.0 * C
                     for i in range(m):
@@ -265,7 +260,7 @@ def rate_stage(d: int, n: int) -> Callable[..., None]:
                     else:
                         for i in range(m):
                             dC += r[i] * H[i]
-                        rates[shift + e] = dC * phi + C * slope
+                        rates[origin + e] = dC * phi + C * slope
                 if true and turn == 0:
                     _solved(factors, row, m, r, 0)
 

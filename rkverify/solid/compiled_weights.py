@@ -59,39 +59,41 @@ kernel_stage = compiled(_kernel)
 
 @cache
 def offset_stage(d: int, tensor: bool) -> Callable[..., None]:
-    """Offsets of a block's entries in units of the largest support in their row, and z = |y|/a_J, one or d of them."""
+    """Offsets y of a block's entries over a = max a_J of their row (`scale`), z = |y|/a_J, one or d of them, and (a/a_J)^2.
+
+    placed (N, d + 1): the nodes' positions and supports.
+    """
 
     def offsets(
-        starts: Array, nodes: Array, points: Array, positions: Array, supports: Array, rows: Array,
-        scale: Array, y: Array, z: Array,
+        starts: Array, nodes: Array, points: Array, placed: Array, first: int, last: int,
+        scale: Array, ratios: Array, y: Array, z: Array,
     ) -> None:  # fmt: skip
-        begin = 0
-        for row in range(len(rows)):
-            p = rows[row]
-            shift = starts[p] - begin
+        origin = starts[first]
+        for p in range(first, last):
             a = 0.0
             for e in range(starts[p], starts[p + 1]):
-                a = max(a, supports[nodes[e]])
-            scale[row] = a
+                a = max(a, placed[nodes[e], d].real)
+            scale[p - first] = a
             per_a = 1.0 / a if a > 0.0 else 0.0
             for e in range(starts[p], starts[p + 1]):
-                J, i = nodes[e], e - shift
+                J, i = nodes[e], e - origin
+                support = placed[J, d].real
+                ratios[i] = (a / support) * (a / support)
                 if tensor:
                     for k in range(d):
-                        offset = points[p, k] - positions[J, k]
+                        offset = points[p, k] - placed[J, k]
                         y[k, i] = offset * per_a
-                        z[k, i] = (-offset if offset.real < 0 else offset) / supports[J]
+                        z[k, i] = (-offset if offset.real < 0 else offset) / support
                 else:
-                    offset = points[p, 0] - positions[J, 0]
+                    offset = points[p, 0] - placed[J, 0]
                     y[0, i] = offset * per_a
                     square, nonzero = offset * offset, offset.real != 0
                     for k in range(1, d):
-                        offset = points[p, k] - positions[J, k]
+                        offset = points[p, k] - placed[J, k]
                         y[k, i] = offset * per_a
                         square += offset * offset
                         nonzero |= offset.real != 0
-                    z[0, i] = np.sqrt(square) / supports[J] if nonzero else 0.0
-            begin += starts[p + 1] - starts[p]
+                    z[0, i] = np.sqrt(square) / support if nonzero else 0.0
 
     return compiled(offsets)
 
@@ -101,51 +103,41 @@ def weight_stage(d: int, tensor: bool) -> Callable[..., None]:
     """phi, its gradient and its second derivatives with respect to the scaled offsets, rows of `weights`."""
     pairs = np.array(axis_pairs(d))
 
-    def weights_of(
-        starts: Array, nodes: Array, supports: Array, rows: Array, derivatives: int,
-        scale: Array, y: Array, f: Array, g: Array, s: Array, weights: Array,
-    ) -> None:  # fmt: skip
-        begin = 0
-        for row in range(len(rows)):
-            p = rows[row]
-            shift = starts[p] - begin
-            for e in range(starts[p], starts[p + 1]):
-                i = e - shift
-                ratio = scale[row] / supports[nodes[e]]
-                ratio *= ratio
-                if not tensor:
-                    weights[0, i] = f[0, i]
-                    if derivatives >= 1:
-                        for k in range(d):
-                            weights[1 + k, i] = g[0, i] * ratio * y[k, i]
-                    if derivatives >= 2:
-                        for kl in range(len(pairs)):
-                            k, l = pairs[kl]
-                            second = s[0, i] * ratio * y[k, i] * y[l, i]
-                            weights[1 + d + kl, i] = ratio * (second + g[0, i] if k == l else second)
-                else:
-                    value = f[0, i]
-                    for k in range(1, d):
-                        value = value * f[k, i]
-                    weights[0, i] = value
-                    if derivatives >= 1:
-                        for k in range(d):
-                            slope = g[k, i] * ratio * y[k, i]
-                            for other in range(d):
-                                if other != k:
-                                    slope = slope * f[other, i]
-                            weights[1 + k, i] = slope
-                    if derivatives >= 2:
-                        for kl in range(len(pairs)):
-                            k, l = pairs[kl]
-                            if k == l:
-                                second = ratio * (g[k, i] + s[k, i] * ratio * y[k, i] * y[k, i])
-                            else:
-                                second = g[k, i] * ratio * y[k, i] * g[l, i] * ratio * y[l, i]
-                            for other in range(d):
-                                if other != k and other != l:
-                                    second = second * f[other, i]
-                            weights[1 + d + kl, i] = second
-            begin += starts[p + 1] - starts[p]
+    def weights_of(derivatives: int, ratios: Array, y: Array, f: Array, g: Array, s: Array, weights: Array) -> None:
+        for i in range(y.shape[1]):
+            ratio = ratios[i]
+            if not tensor:
+                weights[0, i] = f[0, i]
+                if derivatives >= 1:
+                    for k in range(d):
+                        weights[1 + k, i] = g[0, i] * ratio * y[k, i]
+                if derivatives >= 2:
+                    for kl in range(len(pairs)):
+                        k, l = pairs[kl]
+                        second = s[0, i] * ratio * y[k, i] * y[l, i]
+                        weights[1 + d + kl, i] = ratio * (second + g[0, i] if k == l else second)
+            else:
+                value = f[0, i]
+                for k in range(1, d):
+                    value = value * f[k, i]
+                weights[0, i] = value
+                if derivatives >= 1:
+                    for k in range(d):
+                        slope = g[k, i] * ratio * y[k, i]
+                        for other in range(d):
+                            if other != k:
+                                slope = slope * f[other, i]
+                        weights[1 + k, i] = slope
+                if derivatives >= 2:
+                    for kl in range(len(pairs)):
+                        k, l = pairs[kl]
+                        if k == l:
+                            second = ratio * (g[k, i] + s[k, i] * ratio * y[k, i] * y[k, i])
+                        else:
+                            second = g[k, i] * ratio * y[k, i] * g[l, i] * ratio * y[l, i]
+                        for other in range(d):
+                            if other != k and other != l:
+                                second = second * f[other, i]
+                        weights[1 + d + kl, i] = second
 
     return compiled(weights_of)

@@ -16,14 +16,10 @@ _CLASS = 2**0.25  # supports that differ by less are searched for with one radiu
 
 @dataclass(frozen=True)
 class Neighbours:
-    """For point p the nodes nodes[starts[p]:starts[p + 1]], ascending; starts (P + 1,), nodes (nnz,).
-
-    order (P,): the points in a sequence where those close by come together, for speed alone.
-    """
+    """For point p the nodes nodes[starts[p]:starts[p + 1]], ascending; starts (P + 1,), nodes (nnz,)."""
 
     starts: Array
     nodes: Array
-    order: Array | None = None
 
     def __len__(self) -> int:
         """The number P of points."""
@@ -88,7 +84,7 @@ def neighbours(cloud: Cloud, points: Array) -> Neighbours:
     for block, columns_of_block in found:
         own = np.repeat(starts[block] - np.concatenate([[0], np.cumsum(counts[block])[:-1]]), counts[block])
         everyone[own + np.arange(len(own))] = columns_of_block
-    return Neighbours(starts, everyone, order)
+    return Neighbours(starts, everyone)
 
 
 def _classes(supports: Array) -> list[Array]:

@@ -113,9 +113,9 @@ def condition_numbers(cloud: Cloud, points: Array, neighbours: Neighbours | None
     m = basis_tables(cloud.dimension, cloud.order).size
     conditions = np.empty(len(x))
     for block in blocks(cloud, x, known, 0, factorise=False):
-        M = np.zeros((len(block.rows), m, m))
+        M = np.zeros((block.last - block.first, m, m))
         M[(slice(None), *np.tril_indices(m))] = block.factors.real
         sizes = abs(np.linalg.eigvalsh(M))  # the lower triangle is all that it reads
         with np.errstate(divide="ignore"):
-            conditions[block.rows] = sizes.max(axis=1) / sizes.min(axis=1)
+            conditions[block.first : block.last] = sizes.max(axis=1) / sizes.min(axis=1)
     return conditions

@@ -198,14 +198,13 @@ def test_the_gap_would_show_a_wrong_digit() -> None:
 
 
 def test_blocks_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Points taken 1, a few or all at once, in the search's order or in their own: the same bytes."""
+    """Points taken 1, a few or all at once: the same bytes."""
     c, x = made(7, 2, 2)
     x = np.concatenate([x + shift for shift in np.linspace(0, 0.9, 8)[:, None]])
     once = shape(c, x, 2)
-    plain = Neighbours(once.neighbours.starts, once.neighbours.nodes)
-    for entries, known in ((1, None), (100, None), (100, plain)):
+    for entries in (1, 100):
         monkeypatch.setattr(block_module, "_ENTRIES", entries)
-        again = shape(c, x, 2, neighbours=known)
+        again = shape(c, x, 2)
         for one, other in zip(
             (once.values, once.gradients, once.seconds), (again.values, again.gradients, again.seconds), strict=True
         ):
@@ -281,7 +280,7 @@ def test_too_few_nodes_and_gaps_are_named() -> None:
 
 
 def test_the_first_of_many_gaps_is_named() -> None:
-    """Whatever the order in which points are taken."""
+    """Decides that the message leads to one place and always the same."""
     X = np.array(list(product(range(12), repeat=2)), dtype=float)
     x = np.random.default_rng(8).permutation(np.array(list(product(np.arange(0.5, 14), repeat=2))))
     first = np.flatnonzero((x > 12).any(axis=1))[0]
@@ -340,8 +339,6 @@ def test_what_is_not_offered_is_refused() -> None:
         shape(cloud(PLANE[:3], 2), x, neighbours=known)
     with pytest.raises(BadInput, match="the starts of neighbours must ascend from 0 to their number"):
         shape(c, x, neighbours=Neighbours(known.starts + 1, known.nodes))
-    with pytest.raises(BadInput, match="the order of the points"):
-        shape(c, x, neighbours=Neighbours(known.starts, known.nodes, np.array([1])))
 
 
 KINKS = {"at the node": 1.0, "at the edge of a support": 2.5}
