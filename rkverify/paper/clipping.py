@@ -1,12 +1,15 @@
 """A polytope cut by a half-space, in any arithmetic.
 
 New corners lie on the sides that the cut crosses, by formulas that carry derivatives; which sides these are is decided
-on witnesses, once for each corner. A corner whose distance from the cut rounding explains lies on it.
+on witnesses, once for each corner. A corner whose distance from the cut rounding explains lies on it; but where positions
+carry a change, as duals do, it counts as inside and may be met by a new corner: a side without length whose ends part,
+as they must for the derivative of a cell where more than d + 1 meet in one point.
 """
 
+from collections.abc import Sequence
 from itertools import pairwise
 
-from rkverify.arithmetic.base import Arithmetic
+from rkverify.arithmetic.base import Arithmetic, Scalar
 from rkverify.errors import BadInput
 from rkverify.paper.approximation import Vector
 from rkverify.paper.kernel_rates import dot, minus
@@ -41,15 +44,28 @@ def clip(P: Polytope, point: Vector, normal: Vector, beyond: int | None, K: Arit
     )
 
 
+def rounding_of_heights(corners: Sequence[Vector], point: Vector, normal: Vector, K: Arithmetic) -> float:
+    """What rounding may make of (X - point) . normal = 0 at these corners."""
+    reach = max(abs(K.witness(c)) for X in (*corners, point) for c in X)
+    return ROUNDINGS * K.epsilon * float(reach) * sum(abs(float(K.witness(c))) for c in normal)
+
+
+def changes(x: Scalar, K: Arithmetic) -> bool:
+    """Whether x carries more than its witness."""
+    return not K.is_zero(x - K.number(K.witness(x)))
+
+
 class _Cut:
     """Corners with their heights over the cut; those that the cut makes have the sign 0."""
 
     def __init__(self, P: Polytope, point: Vector, normal: Vector, K: Arithmetic) -> None:
         self.P, self.corners = P, list(P.corners)
         self.heights = [dot(minus(X, point), normal) for X in P.corners]
-        reach = max(abs(K.witness(c)) for X in (*P.corners, point) for c in X)
-        noise = ROUNDINGS * K.epsilon * float(reach) * sum(abs(float(K.witness(c))) for c in normal)
+        noise = rounding_of_heights(P.corners, point, normal, K)
         self.signs = [K.sign(h) if noise == 0 or abs(K.witness(h)) > noise else 0 for h in self.heights]
+        if 0 in self.signs and any(changes(c, K) for X in (*P.corners, point, normal) for c in X):
+            # The cut moved outwards by less than anything: that closes, whatever corners fall together.
+            self.signs = [sign or -1 for sign in self.signs]
         self.made: dict[Facet, int] = {}
 
     def crossing(self, i: int, j: int) -> int:

@@ -1,11 +1,12 @@
 """Nodal representative cells Omega_L in one, two and three dimensions, by their definition."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from rkverify.arithmetic.base import Arithmetic
 from rkverify.errors import BadInput, CoincidentNodes
 from rkverify.paper.approximation import Vector
-from rkverify.paper.clipping import clip
+from rkverify.paper.clipping import changes, clip, rounding_of_heights
 from rkverify.paper.kernel_rates import dot, minus
 from rkverify.paper.polytopes import Polytope
 
@@ -33,12 +34,36 @@ def nodal_polytope(nodes: Sequence[Vector], I: int, domain: Polytope, K: Arithme
     for J in range(len(nodes)):
         if J == I:
             continue
-        towards = minus(nodes[J], nodes[I])
-        middle = tuple((p + q) / 2 for p, q in zip(nodes[I], nodes[J], strict=True))
+        middle, towards = _bisector(nodes, I, J)
         if all(K.sign(c) == 0 for c in towards):
             where = ", ".join(map(K.text, nodes[I]))
             raise CoincidentNodes(
                 f"nodes {min(I, J)} and {max(I, J)} are both at ({where}): remove or move one of them"
             )
         cell = clip(cell, middle, towards, J, K)
-    return cell
+    return replace(cell, parting=_parting(nodes, I, cell, domain, K))
+
+
+def _parting(nodes: Sequence[Vector], I: int, cell: Polytope, domain: Polytope, K: Arithmetic) -> tuple[Vector, ...]:
+    """Corners of the cell on more than d bisectors and facets of the domain, of which one carries a change."""
+    moving = [any(changes(c, K) for c in x) for x in nodes]
+    if not any(moving):
+        return ()
+    found = []
+    for X in cell.corners:
+        met = [J for J in range(len(nodes)) if J != I and _on(X, *_bisector(nodes, I, J), K)]
+        walls = sum(_on(X, domain.places(f)[0], domain.area(f), K) for f in range(len(domain.facets)))
+        if len(met) + walls > cell.dimension and any(moving[J] for J in (I, *met)):
+            found.append(X)
+    return tuple(found)
+
+
+def _bisector(nodes: Sequence[Vector], I: int, J: int) -> tuple[Vector, Vector]:
+    """The middle between two nodes, and the way from the one to the other."""
+    middle = tuple((p + q) / 2 for p, q in zip(nodes[I], nodes[J], strict=True))
+    return middle, minus(nodes[J], nodes[I])
+
+
+def _on(X: Vector, point: Vector, normal: Vector, K: Arithmetic) -> bool:
+    height = dot(minus(X, point), normal)
+    return bool(abs(K.witness(height)) <= rounding_of_heights((X,), point, normal, K))

@@ -18,12 +18,14 @@ class Polytope:
 
     A facet is a point, left before right, in one dimension; the start and the end of an edge, counter-clockwise about the
     polygon, in two; the corners of a polygon, counter-clockwise seen from outside, in three. beyond: the number of the
-    node on its other side, None on the boundary of the domain.
+    node on its other side, None on the boundary of the domain. parting: corners where more facets meet than must, and
+    that move: a side without length may come or go there.
     """
 
     corners: tuple[Vector, ...]
     facets: tuple[Facet, ...]
     beyond: tuple[int | None, ...]
+    parting: tuple[Vector, ...] = ()
 
     @property
     def dimension(self) -> int:

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 
 from rkverify.arithmetic.base import Arithmetic, Scalar
-from rkverify.errors import UnknownName
+from rkverify.errors import NotDifferentiable, UnknownName
 from rkverify.paper.approximation import Vector
 from rkverify.paper.gauss import gauss_points
 from rkverify.paper.kernel_rates import dot
@@ -91,7 +91,17 @@ def cell_points(P: Polytope, count: int, K: Arithmetic) -> Points:
 def boundary_points(
     P: Polytope, rule: str, K: Arithmetic, facets: Iterable[int] | None = None
 ) -> list[tuple[Vector, Vector]]:
-    """int f N dGamma over Gamma_L, or over some of its facets: points with their weighted area vectors."""
+    """int f N dGamma over Gamma_L, or over some of its facets: points with their weighted area vectors.
+
+    Raises NotDifferentiable where corners part: the integral has a derivative there, its sum over points has a kink, since
+    a rule over two parts of a side is not the rule over the whole.
+    """
+    if P.parting:
+        where = ", ".join(K.text(c) for c in P.parting[0])
+        raise NotDifferentiable(
+            f"more cells than {P.dimension + 1} meet at ({where}), and a rule on their sides has a kink where they part: "
+            "move a node a little, or hold the cells fixed"
+        )
     return [
         (x, tuple(weight * c for c in P.area(f)))
         for f in (range(len(P.facets)) if facets is None else facets)

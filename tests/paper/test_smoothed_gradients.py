@@ -10,7 +10,7 @@ from rkverify.arithmetic.dual import Duals
 from rkverify.arithmetic.multiprecision import Multiprecision
 from rkverify.arithmetic.native import Complex, Exact, Float
 from rkverify.certify.samples import jittered_grid
-from rkverify.errors import BadInput, NotRepresentable, UnknownName
+from rkverify.errors import BadInput, NotDifferentiable, NotRepresentable, UnknownName
 from rkverify.paper.approximation import Approximation, approximation
 from rkverify.paper.cells import Cell
 from rkverify.paper.chain_rule import determinant, inverse, spatial_gradients
@@ -216,6 +216,37 @@ def test_smoothed_gradients_differentiate_with_the_nodes() -> None:
     assert max(abs(float(s.partials[0])) for s in slopes.values()) > 0.01
     assert sum(s.partials[0] for s in slopes.values()) == 0
     assert max(abs(float(s.partials[0]) - stepped[I].imag / 1e-100) for I, s in slopes.items()) < 1e4 * F.epsilon
+
+
+def test_a_lattice_is_a_kink_of_the_rule() -> None:
+    """Where four cells meet and part, the trapezoidal rule over two pieces of a side is not that over the whole: one-sided
+    differences have different limits, and the derivative is refused, naming the corner; measures have theirs.
+
+    The twin: with the moved node off the lattice, so that three meet, duals agree with the differences.
+    """
+    D, up, half = Duals(K, 1), Fraction(1, 1000), Fraction(1, 2)
+
+    def built(arithmetic: Arithmetic, by: object, off: Fraction) -> dict:
+        nodes = [[arithmetic.number(c) for c in place] for place in product(range(3), repeat=2)]
+        nodes[4] = [nodes[4][0] + off + by, nodes[4][1] + off / 3 + by / 3]
+        A = approximation(nodes, "5/2", arithmetic, window="tensor")
+        cells = nodal_polytopes(A.nodes, box([-half] * 2, [2 + half] * 2, arithmetic), arithmetic)
+        return smoothed_gradients(A, cells[4])[0]
+
+    def one_sided(off: Fraction, step: Fraction) -> dict:
+        at_rest, ahead = built(K, Fraction(0), off), built(K, step, off)
+        return {I: (ahead[I] - at_rest[I]) / step for I in ahead}
+
+    with pytest.raises(NotDifferentiable, match=r"more cells than 3 meet at \(.*1/2.*move a node a little"):
+        built(D, D.variable(0, 0), Fraction(0))
+    jump = [max(abs(p - q) for p, q in zip(one_sided(Fraction(0), s).values(), one_sided(Fraction(0), -s).values(), strict=True))
+            for s in (up, up / 2)]  # fmt: skip
+    assert min(jump) > Fraction(1, 100)
+    slopes = built(D, D.variable(0, 0), Fraction(1, 9))
+    errors = [
+        max(abs(d - slopes[I].partials[0]) for I, d in one_sided(Fraction(1, 9), s).items()) for s in (up, up / 2)
+    ]
+    assert abs(errors[0] / errors[1] - 2) < Fraction(1, 20)
 
 
 def test_a_moved_cell_has_moved_gradients() -> None:
