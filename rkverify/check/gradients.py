@@ -9,6 +9,7 @@ from rkverify.check.causes import by_sums
 from rkverify.check.choices import Cause, worst_and_spread
 from rkverify.check.entries import Entries
 from rkverify.check.held import Held, held_against, largest, unmatched
+from rkverify.check.lost import lost_neighbour
 from rkverify.check.report import Finding, Report, digits, listed
 from rkverify.check.schemes import (
     Alternative,
@@ -101,6 +102,7 @@ def _cause(claim: GradientClaim, theirs: Entries, held: Held, sums: list[Sum], s
         explained(other_schemes(claim), True)
         or explained(other_shapes(claim), False)
         or _left_out(held, theirs)
+        or lost_neighbour(claim, theirs, held)
         or explained(both_changed(claim), False)
         or by_sums(sums, held, ROWS)
     )

@@ -9,11 +9,16 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from rkverify.check.claim import Claim, predicted, without
 from rkverify.check.gradients import check_gradients
 from rkverify.check.schemes import GradientClaim, Scheme, predicted_gradients
 from rkverify.readings import DERIVATIVES
-from rkverify.solid.cloud import cloud
+from rkverify.solid.cells import OUTSIDE
+from rkverify.solid.cloud import cloud, shown
 from rkverify.solid.domain import box
+from rkverify.solid.edge_rules import facet_rule
+from rkverify.solid.neighbours import neighbours
+from rkverify.solid.shape import shape
 from rkverify.solid.voronoi import voronoi
 
 RULES = ("trapezoid", "midpoint", "gauss:2", "gauss:3", "gauss:4")
@@ -104,6 +109,44 @@ def test_another_kernel_and_another_rule_at_once(claim):
     other = sold(one, cloud=cloud(one.cloud.positions, 2.4, "quintic"), scheme=Scheme("scni", "gauss:2"))
     verdict = check_gradients(one, other).verdict
     assert "the kernel quintic and scni with the edge rule gauss:2" in verdict
+
+
+@pytest.mark.parametrize("rule", ["trapezoid", "gauss:2"])
+@pytest.mark.parametrize("dimension", [1, 2])
+def test_a_neighbour_lost_at_one_point_of_the_boundary(dimension, rule, claim):
+    """All cells at this point are wrong, all their sums hold, and the node is still in every row."""
+    one = claim(dimension, Scheme("scni", rule))
+    honest = sold(one)
+    points = facet_rule(one.cells, rule)
+    q = len(points.points) // 2
+    known = neighbours(one.cloud, points.points)
+    node = int(known.of(q)[1])
+    values = [
+        shape(one.cloud, points.points, neighbours=n).matrix().toarray()
+        for n in (known, without(one.cloud, points.points, {q: [node]}))
+    ]
+    change = points.matrix() @ (values[1] - values[0])
+    numbers = honest.numbers.copy()
+    for c in range(dimension):
+        wrong = np.zeros((len(one.cloud), len(one.cloud)))
+        for f, (left, right) in enumerate(one.cells.sides):
+            wrong[left] += one.cells.areas[f, c] * change[f] / one.cells.measures[left]
+            if right != OUTSIDE:
+                wrong[right] -= one.cells.areas[f, c] * change[f] / one.cells.measures[right]
+        numbers[:, c] += wrong[honest.rows, honest.nodes]
+    report = check_gradients(one, replace(honest, numbers=numbers))
+    assert all(f.holds for f in report.findings if f.name.startswith("gradients"))
+    assert f"missing from the sums: node {node} at the point ({shown(points.points[q])})" in report.verdict
+
+
+def test_a_neighbour_lost_at_a_node(claim):
+    one = replace(claim(2, Scheme("dni")), cells=None)
+    places = one.cloud.positions
+    node = int(neighbours(one.cloud, places).of(40)[3])
+    lost = predicted(Claim(one.cloud, places), ("dpsi_dx", "dpsi_dy"), without(one.cloud, places, {40: [node]}))
+    verdict = check_gradients(one, replace(lost, columns=("bx", "by"))).verdict
+    assert f"node {node}" in verdict
+    assert "cell 40" in verdict
 
 
 @pytest.mark.parametrize("dimension", [1, 2, 3])
