@@ -119,6 +119,16 @@ COMMANDS = (
         _later("studies", "verify"),
     ),
     Command(
+        "recheck",
+        "verify proof logs anew, with a checker of its own",
+        "Repeat every step of the proofs in these logs (all of reports/results/theorems if none is named) in exact rationals,\n"
+        "with code that shares nothing with the provers, and print what was verified; status 1 and one line for each\n"
+        "log that is damaged or does not prove its claims.",
+        "  rkverify recheck reports/results/theorems/tension.json",
+        options.recheck,
+        _later("recheck", "recheck"),
+    ),
+    Command(
         "ledger",
         "the state of every equation, figure and claim",
         "States of all 170 entries computed from the studies' statements, or one entry with its evidence.\n"

@@ -196,6 +196,12 @@ def verify(parser: ArgumentParser) -> None:
     jobs(parser)
 
 
+def recheck(parser: ArgumentParser) -> None:
+    """Add the options of `rkverify recheck`."""
+    parser.add_argument("files", nargs="*", metavar="FILE", help="proof logs; those of the checkout if none is named")
+    parser.add_argument("--quiet", action="store_true", help="the last line alone")
+
+
 def ledger(parser: ArgumentParser) -> None:
     """Add the options of `rkverify ledger`."""
     parser.add_argument("entry", nargs="?", metavar="ID", help="an equation E1-E87, figure F1-F8 or claim C1-C75")
