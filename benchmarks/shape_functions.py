@@ -1,8 +1,9 @@
 """Shape functions with gradients beside pycompadre: the same nodes, cubic kernel, support and neighbours, one thread each.
 
 Ours give values and full gradients, pycompadre values and diffuse gradients, which need less. Each runs in a process of its own;
-rounds alternate, medians count; what is timed begins with the neighbours known and ends with all numbers in memory. Both
-of pycompadre's dense solvers are measured, and the faster one counts. Writes reports/benchmarks/shape_functions.csv and .svg.
+rounds of REPEATS computations alternate, medians count; what is timed begins with the neighbours known and ends with all numbers in
+memory. Both of pycompadre's dense solvers are measured, and the faster one counts. On some node sets pycompadre 1.7.6 ends with a
+segmentation fault (the column-pivoted QR finds no pivot, and takes INT_MAX for its index): the first seed on which it runs is taken. Writes reports/benchmarks/shape_functions.csv and .svg.
 """
 
 import os
@@ -25,24 +26,23 @@ from rkverify.workflow.style import LINES, new_figure
 ROOT = Path(__file__).resolve().parents[1]
 OUT = ROOT / "reports" / "benchmarks"
 PEERS = ROOT / ".venv-peers" / "bin" / "python"
-ROUNDS = 15
-SIDES = {1: 10_000, 2: 100, 3: 20}
-"""Nodes along an axis. pycompadre 1.7.6 as we build it ends with a segmentation fault from some 12 000 points in the plane."""
+ROUNDS, REPEATS, SEEDS = 9, 5, range(1, 13)
+SIDES = {1: 30_000, 2: 180, 3: 25}
 RATIOS = {1: 2.0, 2: 3.0}
 """Support over spacing for each order."""
 TARGETS = {(2, 1): 8.0}
 """The ratio that is asked for in a dimension and order; 3 elsewhere."""
 
 
-def case(d: int, order: int) -> dict[str, np.ndarray]:
+def case(d: int, order: int, seed: int) -> dict[str, np.ndarray]:
     """A jittered lattice with its neighbours."""
     nodes = np.array(list(product(range(SIDES[d]), repeat=d)), dtype=float)
-    nodes += np.random.default_rng(d).uniform(-0.1, 0.1, nodes.shape)
+    nodes += np.random.default_rng(seed).uniform(-0.2, 0.2, nodes.shape)
     support = RATIOS[order] * 1.0
     known = neighbours(cloud(nodes, support, order=order), nodes)
     return {
         "nodes": nodes, "starts": known.starts, "neighbours": known.nodes, "order": np.array(order),
-        "support": np.array(support),
+        "support": np.array(support), "repeats": np.array(REPEATS),
     }  # fmt: skip
 
 
@@ -56,7 +56,8 @@ def serve(file: str) -> None:
     print("ready", flush=True)
     for _ in sys.stdin:
         start = perf_counter()
-        there = shape(nodes, x, 1, "full", known)
+        for _ in range(int(given["repeats"])):
+            there = shape(nodes, x, 1, "full", known)
         print(perf_counter() - start, flush=True)
     middle = len(x) // 2
     print(*there.values[known.starts[middle] : known.starts[middle + 1]], flush=True)
@@ -96,9 +97,9 @@ class Timed:
         return values
 
 
-def measure(d: int, order: int, folder: Path) -> dict[str, float]:
-    """Medians of both, points per second."""
-    data, timed = case(d, order), {}
+def measure(d: int, order: int, folder: Path, seed: int) -> dict[str, float]:
+    """Medians of both, points per second; raises RuntimeError where pycompadre ends early."""
+    data, timed = case(d, order, seed), {}
     for name, solver in (("ours", ""), ("QR", "QR"), ("LU", "LU")):
         file = folder / f"{name}.npz"
         np.savez(file, solver=np.array(solver), **data)
@@ -115,15 +116,16 @@ def measure(d: int, order: int, folder: Path) -> dict[str, float]:
             if turn:  # the first round warms up
                 samples[name].append(seconds)
     values = {name: process.end() for name, process in timed.items()}
-    count = len(data["nodes"])
+    count = len(data["nodes"]) * REPEATS
     medians = {name: median(taken) for name, taken in samples.items()}
     theirs = min(medians["QR"], medians["LU"])
     return {
         "dimension": d,
         "order": order,
         "support_ratio": RATIOS[order],
-        "points": count,
-        "pairs_per_point": len(data["neighbours"]) / count,
+        "points": len(data["nodes"]),
+        "seed": seed,
+        "pairs_per_point": len(data["neighbours"]) / len(data["nodes"]),
         "ours_points_per_second": count / medians["ours"],
         "pycompadre_points_per_second": count / theirs,
         "pycompadre_solver": "QR" if theirs == medians["QR"] else "LU",
@@ -132,6 +134,16 @@ def measure(d: int, order: int, folder: Path) -> dict[str, float]:
         "spread": max(max(t) / min(t) for t in samples.values()),
         "values_apart": float(max(abs(values["ours"] - values[name]).max() for name in ("QR", "LU"))),
     }
+
+
+def first_that_runs(d: int, order: int, folder: Path) -> dict[str, float]:
+    """The measurement on the first set that pycompadre survives."""
+    for seed in SEEDS:
+        try:
+            return measure(d, order, folder, seed)
+        except (RuntimeError, BrokenPipeError):
+            print(f"{d}-D, order {order}: pycompadre ended early on the set of seed {seed}")
+    raise RuntimeError(f"pycompadre ends early on every set in {d}-D of order {order}")
 
 
 def draw(table: pd.DataFrame) -> None:
@@ -160,7 +172,7 @@ def main() -> int:
         return 0
     OUT.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
-        rows = [measure(d, order, Path(folder)) for d in (1, 2, 3) for order in (1, 2)]
+        rows = [first_that_runs(d, order, Path(folder)) for d in (1, 2, 3) for order in (1, 2)]
     table = pd.DataFrame(rows)
     table.to_csv(OUT / "shape_functions.csv", index=False, float_format="%.4g")
     draw(table)

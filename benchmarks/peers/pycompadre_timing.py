@@ -1,4 +1,4 @@
-"""Time pycompadre's stencils for the values and the gradients at given nodes, neighbours given: one line of seconds for each line of input.
+"""Time pycompadre's stencils for the values and the gradients at given nodes, neighbours given: one line of seconds for each line of input, for some repeats.
 
 Run by benchmarks/shape_functions.py as `python pycompadre_timing.py CASE.npz`, in the peers' environment, with one thread.
 """
@@ -33,7 +33,8 @@ def main(file: str) -> None:
     print("ready", flush=True)
     for _ in sys.stdin:
         start = perf_counter()
-        gmls.generateAlphas(1, False)
+        for _ in range(int(case["repeats"])):
+            gmls.generateAlphas(1, False)
         print(perf_counter() - start, flush=True)
     solution = gmls.getSolutionSet()
     last = len(nodes) // 2
