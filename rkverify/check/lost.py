@@ -27,7 +27,7 @@ def lost_neighbour(claim: GradientClaim, theirs: Entries, held: Held) -> Cause |
     wrong = np.flatnonzero((held.excess > 1).any(axis=1))
     if not 0 < len(wrong) <= MOST:
         return None
-    gap = np.stack([held.gap.matrix(c).toarray()[wrong] for c in range(len(theirs.columns))], axis=2)
+    gap = np.stack([held.gap.matrix(c)[wrong].toarray() for c in range(len(theirs.columns))], axis=2)
     allowed = held.allowed[wrong][:, None, :]
     places = _places(claim, wrong, theirs.columns)
     for point, weights in places:
