@@ -28,6 +28,7 @@ def produce(name: str, study: Study, parameters: Any, identity: Identity) -> dic
 
     tables = study.compute(parameters)
     files = {f"{key}.csv": Artefact(table.text(), table.comparison) for key, table in tables.items()}
+    files |= {file: Artefact(text, Exact()) for file, text in study.documents(parameters, tables).items()}
     drawings = study.draw(parameters, tables)
     for key, drawing in drawings.items():
         files[f"{key}.svg"] = Artefact(svg(drawing.figure, study.title, drawing.alternative), VISUAL)

@@ -110,7 +110,8 @@ Tables = Mapping[str, Table]
 class Study:
     """A study: `compute` gives tables, `draw` figures, `judge` statements; `quick` are parameters for a smoke run.
 
-    code: names of the functions of the library that the study shows, for links from the report.
+    code: names of the functions of the library that the study shows, for links from the report. documents: texts
+    beside the tables, such as proof logs, that come out the same byte for byte: file name -> text.
     """
 
     title: str
@@ -119,3 +120,4 @@ class Study:
     compute: Callable[[Any], Tables]
     judge: Callable[[Any, Tables], Sequence[Statement]]
     draw: Callable[[Any, Tables], Mapping[str, Drawing]] = lambda parameters, tables: {}
+    documents: Callable[[Any, Tables], Mapping[str, str]] = lambda parameters, tables: {}

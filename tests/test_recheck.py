@@ -1,0 +1,264 @@
+"""The checker of proof logs: it must accept what the provers wrote, and nothing that proves less than it claims.
+
+A checker that only compares hashes would accept a false theorem from whoever can compute one: every damage is done twice,
+as it is, where the hash tells it, and with the hash made anew, where the proof itself must.
+"""
+
+import copy
+import hashlib
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from rkverify.cli import main
+from rkverify.errors import BadInput
+from rkverify.recheck import recheck
+from rkverify.recheck.reading import Rejected
+
+FOLDER = Path(__file__).resolve().parents[1] / "reports" / "results" / "theorems"
+FAMILIES = ("reproduction", "kernels", "scni", "printed", "at_pi", "tension", "motion")
+
+
+def signed(theorems):
+    """A log of these theorems with the hash that belongs to it, written without the provers' code."""
+    log = {"format": "rkverify proof log 1", "theorems": theorems}
+    text = json.dumps(log, sort_keys=True, ensure_ascii=False, separators=(",", ":"))
+    return json.dumps(log | {"sha256": hashlib.sha256(text.encode()).hexdigest()})
+
+
+def committed(family):
+    return (FOLDER / f"{family}.json").read_text(encoding="utf-8")
+
+
+def theorem(name):
+    """A theorem of the committed logs, as data that may be spoilt."""
+    for family in FAMILIES:
+        for found in json.loads(committed(family))["theorems"]:
+            if found["name"] == name:
+                return copy.deepcopy(found)
+    raise LookupError(name)
+
+
+def place(data, path):
+    for key in path[:-1]:
+        data = data[key]
+    return data, path[-1]
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_what_is_committed_is_verified(family):
+    """Every committed theorem, and at least one in each log."""
+    found = recheck(committed(family))
+    assert [name for name, _ in found] == [t["name"] for t in json.loads(committed(family))["theorems"]]
+
+
+PIECE = ("proof", "pieces", 0)
+SPOILT = [
+    # a digit changed
+    ("kernel-cubic", (*PIECE, "polynomial", 2), -5, "not the cubic kernel"),
+    ("kernel-quartic", ("claim", "curvature_zeros", 0, 0), "1/4", "claimed"),
+    ("dni-at-pi-cubic-full", (*PIECE, "numerator", 3), 7, "not the function"),
+    ("dni-at-pi-cubic-full", (*PIECE, "denominator", 0), 7, "not the function"),
+    ("dni-at-pi-cubic-full", (*PIECE, "zeros", 0, 1), "3/2", "not the two ends"),
+    ("dni-at-pi-cubic-full", ("claim", "signs", 0), 1, "the signs are"),
+    ("dni-window-cubic", ("proof", "surface", 1, 2), 7, "coefficients of c"),
+    ("dni-window-cubic", ("proof", "constant"), 7, "discriminant"),
+    ("dni-window-cubic", ("claim", "counts", 0), 2, "numbers of zeros"),
+    ("dni-greatest-tension-5-2", ("claim", "subject", "R"), "9/4", "coefficients of c"),
+    ("room-for-growth-true-Q<0", (*PIECE, "surface", 0, 1), 7, "coefficients of c"),
+    ("printed-scni-not-negative", ("proof", "parts", 0, "weight", 0), "3/2", "do not add up"),
+    ("printed-scni-not-negative", ("proof", "parts", 0, "weight", 0), -1, "may be negative"),
+    ("moment-matrix-2-functions-3-nodes", ("proof", "sum", 0, 0), 2, "the sum that is listed"),
+    ("counterexample-45", ("proof", "polynomial", 0), 1, "not the polynomial"),
+    ("counterexample-45", ("claim", "signs"), [-1, 1, 1], "the signs are"),
+    # a claim made wider
+    ("kernel-cubic", ("claim", "continuity"), 3, "class C"),
+    ("kernel-cubic", ("claim", "kernel"), "quartic", "joints"),
+    ("dni-at-pi-cubic-full", ("claim", "to"), 5, "nothing covers"),
+    ("dni-at-pi-cubic-full", ("claim", "from"), "1/2", "nothing covers"),
+    ("dni-at-pi-cubic-full", ("claim", "digits"), 40, "wider than"),
+    ("dni-at-pi-cubic-full", ("claim", "zeros"), [], "the zeros that are claimed"),
+    ("dni-at-pi-cubic-diffuse", ("claim", "subject", "derivative"), "full", "not the function"),
+    ("Psi(h) < 1/4-cubic", ("claim", "to"), 3, "nothing covers"),
+    ("dni-form-cubic-full", ("claim", "to"), 3, "nothing covers"),
+    ("dni-window-cubic", ("claim", "to"), 4, "nothing covers"),
+    ("dni-window-cubic", ("claim", "turns"), [], "number of zeros changes"),
+    ("room-for-growth-true-Q<0", ("claim", "subject", "growth"), "9/5", "coefficients of c"),
+    ("scni-gradient-not-zero", ("claim", "to"), 4, "nothing covers"),
+    ("printed-scni-not-negative", ("claim", "relation"), "dni-printed-limit", "do not add up"),
+    ("counterexample-45", ("claim", "subject", "Q"), 0, "not the polynomial"),
+    ("moment-matrix-3-functions-2-nodes", ("claim", "nodes"), 3, "the sum that is listed"),
+    ("scni-zero-at-pi-3", ("claim", "identity"), "first-moment", "the sum that is listed"),
+    ("scni-telescopes-8", ("claim", "equals"), "0", "is not 0"),
+]
+
+
+@pytest.mark.parametrize(("name", "path", "wrong", "told"), SPOILT)
+def test_a_changed_digit_or_a_wider_claim_is_refused(name, path, wrong, told):
+    spoilt = theorem(name)
+    data, key = place(spoilt, path)
+    assert data[key] != wrong
+    data[key] = wrong
+    with pytest.raises(BadInput, match=told) as refused:
+        recheck(signed([spoilt]))
+    assert "\n" not in str(refused.value)
+
+
+REMOVED = [
+    ("kernel-cubic", (*PIECE, "slope_boxes", 0)),
+    ("dni-at-pi-cubic-full", (*PIECE, "boxes", 0)),
+    ("dni-at-pi-cubic-full", (*PIECE, "denominator_boxes", -1)),
+    ("dni-at-pi-cubic-full", ("proof", "pieces", 1)),
+    ("dni-window-cubic", ("proof", "factors", 0)),
+    ("dni-window-cubic", ("proof", "samples", 0)),
+    ("dni-window-cubic", ("proof", "left", 0)),
+    ("dni-window-cubic", ("proof", "samples", 1, "boxes", 0)),
+    ("printed-dni-compressed", ("proof", "parts", 2)),
+    ("dni-long-waves-full", ("proof", "pieces", 1)),
+    ("moment-matrix-2-functions-3-nodes", ("proof", "sum", 4)),
+]
+
+
+@pytest.mark.parametrize(("name", "path"), REMOVED)
+def test_a_missing_step_is_refused(name, path):
+    spoilt = theorem(name)
+    data, key = place(spoilt, path)
+    del data[key]
+    with pytest.raises(BadInput):
+        recheck(signed([spoilt]))
+
+
+@pytest.mark.parametrize(
+    ("spoil", "told"),
+    [
+        (lambda tree: tree[:-1], "1 boxes of the rectangle are missing"),
+        (lambda tree: tree + "+", "beyond the rectangle"),
+        (lambda tree: "+", "not positive"),
+        (lambda tree: "z" + tree, "none of"),
+        (lambda tree: 7, "no text"),
+    ],
+)
+def test_a_tree_of_boxes_covers_its_rectangle(spoil, told):
+    spoilt = theorem("room-for-growth-psi-star-Q<0")
+    piece = spoilt["proof"]["pieces"][0]
+    assert len(piece["tree"]) > 3, "a single box would not show it"
+    piece["tree"] = spoil(piece["tree"])
+    with pytest.raises(BadInput, match=told):
+        recheck(signed([spoilt]))
+
+
+def numbers(data, path=()):
+    """The places of all numbers in a theorem, texts of fractions among them."""
+    if isinstance(data, dict | list):
+        for key, inner in data.items() if isinstance(data, dict) else enumerate(data):
+            yield from numbers(inner, (*path, key))
+    elif isinstance(data, int) or (isinstance(data, str) and data.lstrip("-").replace("/", "").isdigit()):
+        yield path
+
+
+@pytest.mark.parametrize(
+    "name", ["kernel-wendland-c4", "dni-at-pi-cubic-diffuse", "printed-scni-exact-set", "example-50"]
+)
+def test_every_number_counts(name):
+    """Each number in turn is made another: only a promise of fewer digits is still true."""
+    whole = theorem(name)
+    accepted = []
+    for path in numbers({"claim": whole["claim"], "proof": whole["proof"]}):
+        spoilt = copy.deepcopy(whole)
+        data, key = place(spoilt, path)
+        data[key] = data[key] - 1 if isinstance(data[key], int) else "7/3"
+        try:
+            recheck(signed([spoilt]))
+        except BadInput:
+            continue
+        accepted.append(path)
+    assert [path for path in accepted if path != ("claim", "digits")] == []
+
+
+LOG = committed("kernels")
+DAMAGED = [
+    (LOG[: len(LOG) // 2], "no complete JSON"),
+    ("", "no complete JSON"),
+    ("\x00\x01", "no complete JSON"),
+    (LOG.replace("polynomial", "polynomiaL", 1), "wrong hash"),
+    (LOG.replace('"sha256":"', '"sha256":"0', 1), "wrong hash"),
+    (LOG.replace('"digits":30', '"digits":NaN', 1), "NaN"),
+    (LOG.replace('"digits":30', '"digits":-Infinity', 1), "Infinity"),
+    (LOG.replace('"digits":30', '"digits":1e999999999', 1), "1e999999999"),
+    (LOG.replace('"digits":30', '"digits":3.0', 1), "write whole numbers"),
+    (LOG.replace('"digits":30', '"digits":' + "9" * 5000, 1), "5000 digits"),
+    (LOG.replace('"digits":30', '"digits":30,"digits":20', 1), "twice"),
+    ("[" * 100000, "JSON|nested"),
+    ('{"format": "rkverify proof log 2"}', "format"),
+    ("[]", "format"),
+    (signed([]), "no theorem"),
+    (signed([7]), "'name' is missing"),
+    (signed([{"name": "x", "claim": {"kind": "it is so"}, "proof": {}}]), "no rule"),
+    (signed([{"name": "x", "claim": {"kind": []}, "proof": {}}]), "no rule"),
+    (signed([{"name": "x", "claim": {"kind": "kernel", "kernel": "box"}, "proof": {}}]), "no kernel"),
+    (signed([{"name": "x", "claim": {"kind": "kernel", "kernel": ["cubic"]}, "proof": {}}]), "cannot hold"),
+    ('{"format":"rkverify proof log 1","theorems":["\\ud800"]}', "wrong hash"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "told"), DAMAGED)
+def test_a_damaged_log_gives_one_clear_line(text, told):
+    with pytest.raises(BadInput, match=told) as refused:
+        recheck(text)
+    assert "\n" not in str(refused.value)
+    assert len(str(refused.value)) < 300
+
+
+@pytest.mark.parametrize("number", ["nan", "1e9", "1/0", "0x10", "9" * 500, "", "1.5", " 1", "１"])
+def test_only_fractions_of_a_bounded_size_are_numbers(number):
+    spoilt = theorem("kernel-cubic")
+    spoilt["proof"]["pieces"][0]["polynomial"][0] = number
+    with pytest.raises(BadInput, match="no fraction"):
+        recheck(signed([spoilt]))
+
+
+def test_an_exponent_is_bounded():
+    spoilt = theorem("printed-scni-not-negative")
+    spoilt["proof"]["parts"][0]["square"][0][1] = {"a": 10**9}
+    with pytest.raises(BadInput, match="exponent"):
+        recheck(signed([spoilt]))
+
+
+def test_a_theorem_that_is_refused_is_named():
+    spoilt = theorem("kernel-cubic")
+    spoilt["claim"]["continuity"] = 3
+    with pytest.raises(Rejected, match="theorem 1, kernel-cubic: "):
+        recheck(signed([theorem("kernel-tent"), spoilt]))
+
+
+def test_words_in_a_log_count_for_nothing():
+    """The sentence that comes back is the checker's own."""
+    lying = theorem("kernel-cubic")
+    lying["words"] = "the cubic kernel is analytic"
+    ((_, said),) = recheck(signed([lying]))
+    assert "class C^2 exactly" in said
+
+
+def test_the_checker_loads_nothing_of_the_provers():
+    """Neither their modules nor their libraries: an error there cannot agree with itself here."""
+    code = "import sys, rkverify.recheck; print(*sorted(m.partition('.')[0] if m[:8] != 'rkverify' else m for m in sys.modules))"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    loaded = set(done.stdout.split())
+    own = {m for m in loaded if m.startswith("rkverify")}
+    assert {m for m in own if not m.startswith("rkverify.recheck")} == {"rkverify", "rkverify.errors"}
+    assert not loaded & {"numpy", "scipy", "sympy", "flint", "mpmath", "pandas"}
+
+
+def test_the_command_names_the_file_and_ends_with_1(tmp_path, capsys):
+    good, bad = tmp_path / "good.json", tmp_path / "bad.json"
+    good.write_text(signed([theorem("kernel-cubic")]), encoding="utf-8")
+    bad.write_text(LOG[:-9], encoding="utf-8")
+    assert main(["recheck", str(good)]) == 0
+    assert "class C^2" in capsys.readouterr().out
+    assert main(["recheck", str(good), str(bad), str(tmp_path / "none.json")]) == 1
+    told = capsys.readouterr()
+    assert [line.startswith(f"rkverify: {tmp_path}") for line in told.err.splitlines()] == [True, True]
+    assert "1 theorems verified, 2 of 3 logs refused" in told.out
