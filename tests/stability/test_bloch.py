@@ -164,6 +164,20 @@ def test_a_period_of_four_nodes_folds_the_zone(name: str, scheme: Scheme) -> Non
     assert abs(np.sort(moved.omega_squared[0].real) - np.sort(one.real)).max() > 1e-2  # the twin: jitter is seen
 
 
+@pytest.mark.parametrize("scheme", SCHEMES, ids=["dni", "diffuse", "scni", "snni"])
+def test_an_uneven_period_folds_as_well(scheme: Scheme) -> None:
+    """Uneven nodes are no image of themselves: phases of the two parts with opposite signs would pass on lattices, not here."""
+    nodes = jittered(lattice("square"), 2, 0.1, 3)
+    large = supercell(nodes, 2)
+    k = np.array([0.4, -0.7])
+    folded = np.array([k + m @ large.reciprocal for m in ((0, 0), (1, 0), (0, 1), (1, 1))])
+    one = modes(linearised(nodes, scheme), UNEVEN, folded).omega_squared.ravel()
+    four = modes(linearised(large, scheme), UNEVEN, k[None]).omega_squared[0]
+    # each finds its own among the others: of simple eigenvalues, known to some 1e-13
+    assert abs(four[:, None] - one[None]).min(axis=1).max() < 1e-10
+    assert abs(one[:, None] - four[None]).min(axis=1).max() < 1e-10
+
+
 def test_orders_and_kernels() -> None:
     """Order 2 and other kernels have the same long waves: the linear reproduction is all that they take."""
     n = np.array([0.6, 0.8])

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from rkverify.errors import BadInput
+from rkverify.solid.cell_topology import Topology
 from rkverify.solid.kernel_values import Array
 from rkverify.solid.voronoi import moved, topology, voronoi
 from rkverify.stability.bloch.cell_integrals import areas, conforming, dense, moving, room
@@ -91,23 +92,32 @@ def _geometric(lattice: Lattice, scheme: Scheme, patch: Patch, a: Array, cells_r
     cells = topology(x, room(x)) if scheme.cell_measure == "edges" else None
     rows, columns, offsets, values = [], [], [], []
     for J in range(count):
-        chosen = np.flatnonzero(np.linalg.norm(x - x[J], axis=1) < cells_reach)
-        of = moving(scheme, x, chosen)
-        own = [part[:, [J]].toarray()[:, 0] for part in of(x, measures)] if scheme.cell_measure == "material" else None
-        slopes = np.zeros((len(x), 2, 2))
-        for axis in range(2):
-            moved_x = x.astype(complex)
-            moved_x[J, axis] += 1j * STEP
-            changed = measures.astype(complex)
-            if cells is not None:
-                changed = changed + 1j * moved(cells, moved_x).measures.imag
-            elif own is not None:  # a' = a tr L = a sum_J b_lJ v_lJ
-                changed[chosen] += 1j * STEP * own[axis]
-            for j, part in enumerate(of(moved_x, changed)):
-                slopes[:, j, axis] = part.sum(axis=0).imag / STEP
+        slopes = node_slopes(scheme, x, measures, J, cells_reach, cells)
         I = np.flatnonzero((slopes != 0).any(axis=(1, 2)))
         rows.append(patch.basis[I])
         columns.append(np.full(len(I), J))
         offsets.append(x[J] - x[I])
         values.append(slopes[I])
     return Coupling(np.concatenate(rows), np.concatenate(columns), np.concatenate(offsets), np.concatenate(values))
+
+
+def node_slopes(scheme: Scheme, x: Array, measures: Array, J: int, reach: float, cells: Topology | None) -> Array:
+    """sum_L d(a_L b_jI^L)/dx_lJ for all nodes I at x (P, 2): (P, j, l), from the cells closer than `reach` to node J.
+
+    cells: the Voronoi cells' topology where the reading of the measures is `edges`.
+    """
+    chosen = np.flatnonzero(np.linalg.norm(x - x[J], axis=1) < reach)
+    of = moving(scheme, x, chosen)
+    own = [part[:, [J]].toarray()[:, 0] for part in of(x, measures)] if scheme.cell_measure == "material" else None
+    slopes = np.zeros((len(x), 2, 2))
+    for axis in range(2):
+        there = x.astype(complex)
+        there[J, axis] += 1j * STEP
+        changed = measures.astype(complex)
+        if cells is not None:
+            changed = changed + 1j * moved(cells, there).measures.imag
+        elif own is not None:  # a' = a tr L = a sum_J b_lJ v_lJ
+            changed[chosen] += 1j * STEP * own[axis]
+        for j, part in enumerate(of(there, changed)):
+            slopes[:, j, axis] = part.sum(axis=0).imag / STEP
+    return slopes

@@ -22,6 +22,9 @@ from rkverify.solid.kernel_values import Array
 
 DEFAULT_RULES = {"scni": "trapezoid", "snni": "midpoint", "dni": ""}
 
+LARGEST = 20.0
+"""The patch around a node has some 50 R^2 nodes, and each of its cells 3 R^2 of them."""
+
 
 @dataclass(frozen=True)
 class Scheme:
@@ -54,6 +57,8 @@ class Scheme:
         known_window(self.window)
         if not (isfinite(self.support) and self.support > 0):
             raise BadInput(f"support radius {self.support:g}: it must be positive and finite")
+        if self.support > LARGEST:
+            raise BadInput(f"support radius {self.support:g}: choose one up to {LARGEST:g} times the spacing")
         if self.order not in (0, 1, 2):
             raise BadInput(f"order {self.order} is not offered: choose 0, 1 or 2")
         if self.integration == "dni" and self.edge_rule is not None:

@@ -1,0 +1,188 @@
+"""Figures of `stability_in_the_plane`."""
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from rkverify.workflow.study import Drawing
+from rkverify.workflow.style import LINES, new_figure
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+SETTING = "λ = μ = 1, ρ = 1, spacing 1, cubic kernel, linear basis, Truesdell rate, cell measures from the moving cells (all ours)"
+PI_TICKS = ([-np.pi, 0, np.pi], ["−π", "0", "π"])
+
+
+def draw_growth(growth: "pd.DataFrame", states: Sequence[str], stress: float, waves: int) -> Drawing:
+    """Largest growth over the support ratio, lattices in rows and stresses in columns."""
+    lattices, methods = list(dict.fromkeys(growth["lattice"])), list(dict.fromkeys(growth["method"]))
+    figure = new_figure(10.0, 2.9 * len(lattices) + 0.6)
+    panels = figure.subplots(len(lattices), len(states), sharex=True, sharey=True, squeeze=False)
+    for row, name in zip(panels, lattices, strict=True):
+        for axes, state in zip(row, states, strict=True):
+            for style, marker, method in zip(LINES, "os^D", methods, strict=False):
+                part = growth[(growth["lattice"] == name) & (growth["state"] == state) & (growth["method"] == method)]
+                x = [float(Fraction(R)) for R in part["support_ratio"]]
+                axes.plot(x, part["growth"], marker=marker, markersize=3, label=method, **style)
+            axes.set_yscale("symlog", linthresh=0.1, linscale=0.6)
+            axes.set_ylim(-0.01, 6)
+            axes.set_yticks([0, 0.1, 0.3, 1, 3], ["0", "0.1", "0.3", "1", "3"])
+            axes.set_title(f"{name}, {state}", fontsize=9)
+        row[0].set_ylabel("largest growth  (1/time)")
+    for axes in panels[-1]:
+        axes.set_xlabel("support ratio R  (1)")
+    figure.legend(*panels[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=len(methods))
+    words = []
+    for method in methods:
+        part = growth[growth["method"] == method]
+        words.append(f"{method} grows in {int((part['growth'] > 0).sum())} of {len(part)} settings")
+    caption = (
+        f"Largest growth over the waves that fit into {waves} by {waves} nodes, over the support ratio, under a stress of {stress:g} in size; linear below 0.1, "
+        f"logarithmic above. {SETTING}."
+    )
+    return Drawing(
+        figure,
+        caption,
+        f"{'; '.join(words)}. Tension and shear drive DNI and SNNI at every support ratio but few; SCNI stays at zero.",
+    )
+
+
+def _driven(growth: "pd.DataFrame", states: Sequence[str]) -> str:
+    """In how many settings each stress drives a growth."""
+    parts = [growth[growth["state"] == state] for state in states]
+    words = [
+        f"{state} {int((part['growth'] > 0).sum())} of {len(part)}" for state, part in zip(states, parts, strict=True)
+    ]
+    return f"By stress, all methods together: {', '.join(words)}; largest growth falls with the support ratio under tension and shear."
+
+
+def draw_zone(zone: "pd.DataFrame", states: Sequence[str], ratio: str, stress: float) -> Drawing:
+    """Growth over half the Brillouin zone, methods in rows and stresses in columns."""
+    from matplotlib import colormaps
+    from matplotlib.colors import BoundaryNorm
+
+    methods = list(dict.fromkeys(zone["method"]))
+    figure = new_figure(10.0, 2.0 * len(methods) + 0.5)
+    panels = figure.subplots(len(methods), len(states), sharex=True, sharey=True, squeeze=False)
+    levels = np.array([1e-3, 0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0])
+    shown: Any = None
+    for row, method in zip(panels, methods, strict=True):
+        for axes, state in zip(row, states, strict=True):
+            part = zone[(zone["method"] == method) & (zone["state"] == state)]
+            square = part.pivot(index="ky", columns="kx", values="growth")
+            colours = colormaps["cividis_r"].with_extremes(under="#FFFFFF")
+            steps = BoundaryNorm(levels, colours.N, extend="both")
+            shown = axes.pcolormesh(square.columns, square.index, square, norm=steps, cmap=colours, shading="nearest")
+            axes.set_title(f"{method}, {state}: up to {square.to_numpy().max():.2g}", fontsize=9)
+            axes.set_aspect("equal")
+            axes.set_xticks(*PI_TICKS)
+            axes.set_yticks([0, np.pi], ["0", "π"])
+            axes.grid(False)
+        row[0].set_ylabel("ky  (rad)")
+    for axes in panels[-1]:
+        axes.set_xlabel("kx  (rad)")
+    figure.colorbar(shown, ax=panels, label="growth  (1/time)", shrink=0.8)
+    caption = (
+        f"Growth over half the Brillouin zone of the square lattice, R = {ratio}, stress {stress:g}; waves k and −k grow alike; white: "
+        f"growth below {levels[0]:g}. SCNI has none. {SETTING}."
+    )
+    peaks = "; ".join(
+        f"{method}, {state}: {part['growth'].max():.2g} at ({part.loc[part['growth'].idxmax(), 'kx']:.2f}, {part.loc[part['growth'].idxmax(), 'ky']:.2f})"
+        for (method, state), part in zone.groupby(["method", "state"], sort=False)
+        if part["growth"].max() > 0
+    )
+    return Drawing(
+        figure,
+        caption,
+        f"Growth is largest at the edge of the zone, where waves are as short as the lattice allows: {peaks}.",
+    )
+
+
+def draw_modes(strain: "pd.DataFrame", drawn: "pd.DataFrame", zero: "pd.DataFrame", ratio: str) -> Drawing:
+    """The least strain of waves, and three of the modes that have none."""
+    methods, modes = list(dict.fromkeys(strain["method"])), list(dict.fromkeys(drawn["mode"]))
+    figure = new_figure(10.0, 5.6)
+    top, bottom = figure.subfigures(2, 1, height_ratios=[1, 1], squeeze=False)[:, 0]
+    panels = top.subplots(1, len(methods), sharey=True, squeeze=False)[0]
+    shown: Any = None
+    for axes, method in zip(panels, methods, strict=True):
+        square = strain[strain["method"] == method].pivot(index="ky", columns="kx", values="strain")
+        shown = axes.contourf(
+            square.columns, square.index, square, levels=np.linspace(0, 1.2, 13), cmap="Greys", extend="max"
+        )
+        none = strain[(strain["method"] == method) & (strain["strain"] == 0)]
+        axes.plot(none["kx"], none["ky"], "o", color=LINES[2]["color"], markersize=5, clip_on=False, zorder=5)
+        axes.set_title(method, fontsize=9)
+        axes.set_aspect("equal")
+        axes.set_xticks([0, np.pi], ["0", "π"])
+        axes.set_yticks([0, np.pi], ["0", "π"])
+        axes.set_xlabel("kx  (rad)")
+        axes.grid(False)
+    panels[0].set_ylabel("ky  (rad)")
+    top.colorbar(shown, ax=panels, label="least strain  (1/length)", shrink=0.8)
+    for axes, mode in zip(bottom.subplots(1, len(modes), sharey=True), modes, strict=True):
+        part = drawn[drawn["mode"] == mode]
+        axes.plot(part["x"], part["y"], "o", color="#FFFFFF", markeredgecolor="#808080", markersize=5)
+        axes.quiver(part["x"], part["y"], part["ux"], part["uy"], angles="xy", scale_units="xy", scale=1, width=0.008)
+        axes.plot(part["x"] + part["ux"], part["y"] + part["uy"], "o", color="#000000", markersize=4)
+        axes.set_title(f"k = {mode}", fontsize=9)
+        axes.set_aspect("equal")
+        axes.set_xlabel("x  (length)")
+        axes.grid(False)
+    bottom.axes[0].set_ylabel("y  (length)")
+    square_rows = zero[zero["nodes"] == "square"]
+    counted = "; ".join(
+        f"{m} {int(part['without_strain'].max())}" for m, part in square_rows.groupby("method", sort=False)
+    )
+    caption = (
+        f"Above: the least strain that any cell sees of a wave of unit amplitude, square lattice, R = {ratio}, no stress; dots: waves without any, the origin being "
+        "a translation. Below: three of these modes, nodes at rest (open) and displaced (full). Everything is ours."
+    )
+    return Drawing(
+        figure,
+        caption,
+        f"Waves that change sign from node to node have no strain in any nodal integration; with the trapezoid rule SCNI has none along the whole edge of the "
+        f"square zone. Modes without strain, translations left out: {counted}.",
+    )
+
+
+def draw_clouds(clouds: "pd.DataFrame", states: Sequence[str], ratio: str, stress: float, seeds: int) -> Drawing:
+    """Growth of finite sets over the jitter."""
+    methods = list(dict.fromkeys(clouds["method"]))
+    figure = new_figure(10.0, 3.6)
+    panels = figure.subplots(1, len(states), sharey=True)
+    for axes, state in zip(panels, states, strict=True):
+        for style, marker, method in zip(LINES, "os^D", methods, strict=False):
+            part = clouds[(clouds["state"] == state) & (clouds["method"] == method)]
+            x = [float(Fraction(j)) for j in part["jitter"]]
+            axes.plot(x, part["largest"], marker=marker, label=method, **style)
+            axes.fill_between(x, part["least"], part["largest"], color=style["color"], alpha=0.15, linewidth=0)
+            axes.plot(
+                [-0.02],
+                part["lattice"].iloc[:1],
+                marker=marker,
+                color=style["color"],
+                fillstyle="none",
+                linestyle="none",
+            )
+        axes.set_yscale("symlog", linthresh=1e-3, linscale=0.4)
+        axes.set_ylim(-2e-4, 4)
+        axes.set(xlabel="nodes off the lattice by up to …  (length)", title=state)
+    panels[0].set_ylabel("largest growth  (1/time)")
+    panels[-1].legend(fontsize=8, loc="center right")
+    caption = (
+        f"Largest growth of {int(clouds['nodes'].iloc[0])} free nodes inside a held rim, over how far nodes are off a square lattice, least to largest over {seeds} seeds; open "
+        f"marks at the left: the infinite lattice. R = {ratio}, stress {stress:g}; linear below 0.001. {SETTING}."
+    )
+    words = "; ".join(
+        f"{method} up to {part['largest'].max():.2g}, on the lattice {part['lattice'].max():.2g}"
+        for method, part in clouds.groupby("method", sort=False)
+    )
+    return Drawing(
+        figure,
+        caption,
+        f"Uneven finite sets grow where the lattice does; where it does not, they grow slowly: {words}.",
+    )
