@@ -2,22 +2,29 @@
 
 import cmath
 import math
+import re
 import sys
 from fractions import Fraction
 
 from rkverify.arithmetic.base import Arithmetic, Scalar, not_negative
 from rkverify.errors import BadInput, NotDifferentiable, NotRepresentable
 
+LARGEST_EXPONENT = 100_000
+"""Of ten, in text: an exact rational has as many digits, and 1e999999999 would take the machine's memory to say no more."""
+
 
 def rational(value: Scalar) -> Fraction:
     """The exact rational that an int, a Fraction, a finite float or a string such as 0.1, 1e-3 or 2/3 stands for.
 
-    Raises BadInput where it stands for none.
+    Raises BadInput where it stands for none, or has an exponent beyond LARGEST_EXPONENT.
 
     >>> rational("0.1"), rational("2/3")
     (Fraction(1, 10), Fraction(2, 3))
     """
     try:
+        exponent = re.search(r"[eE]([-+]?[\d_]+)\s*$", value) if isinstance(value, str) else None
+        if exponent is not None and abs(int(exponent[1])) > LARGEST_EXPONENT:
+            raise BadInput(f"{value!r} has an exponent beyond {LARGEST_EXPONENT}: choose another unit")
         return Fraction(value)
     except (ValueError, OverflowError, TypeError, ZeroDivisionError):
         raise BadInput(f"{value!r} is not a finite number: write a decimal or p/q") from None
@@ -129,4 +136,10 @@ class Exact(Arithmetic):
         return root
 
     def text(self, x: Fraction) -> str:
-        return str(x)
+        try:
+            return str(x)
+        except ValueError:
+            digits = int(max(x.numerator.bit_length(), x.denominator.bit_length()) * math.log10(2))
+            raise NotRepresentable(
+                f"an exact result has some {digits} digits, more than are written: choose mp:DIGITS"
+            ) from None

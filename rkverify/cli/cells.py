@@ -6,8 +6,9 @@ from typing import Any
 from rkverify.cli.geometry import domain_of, doubles
 from rkverify.cli.tables import AXES, read_points, write_table
 from rkverify.errors import BadInput
+from rkverify.solid.cell_rings import all_rings
 from rkverify.solid.cells import Cells
-from rkverify.solid.voronoi import rings, voronoi
+from rkverify.solid.voronoi import voronoi
 
 
 def cells(options: Namespace) -> int:
@@ -36,7 +37,7 @@ def _vertices(found: Cells) -> list[list[Any]]:
         return [[cell, 0, vertex, x + 0.0] for cell, both in enumerate(ends) for vertex, x in enumerate(sorted(both))]
     return [
         [cell, number, vertex, *(c + 0.0 for c in place)]
-        for cell in range(len(found))
-        for number, ring in enumerate(rings(found, cell))
+        for cell, loops in enumerate(all_rings(found))
+        for number, ring in enumerate(loops)
         for vertex, place in enumerate(ring.tolist())
     ]

@@ -48,6 +48,18 @@ def test_what_is_not_a_finite_number_is_refused(value: object) -> None:
         rational(value)
 
 
+@pytest.mark.parametrize("value", ["1e999999999", "-2.5E-999999999", " 1e+100001 ", "1e-100_001"])
+def test_an_exponent_that_would_fill_the_memory_is_refused(value: str) -> None:
+    """Decides that one cell of somebody's table cannot halt a run: 10^999999999 has a billion digits, and is no length."""
+    with pytest.raises(BadInput, match="exponent beyond 100000"):
+        rational(value)
+
+
+def test_the_largest_exponent_is_still_exact() -> None:
+    """The twin: up to the bound nothing is refused and no digit is lost."""
+    assert rational("1e100000") * rational("1e-100000") == 1
+
+
 @pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf, "nan", "1/0", "abc"], ids=repr)
 def test_no_arithmetic_takes_what_is_not_finite(K: Arithmetic, value: object) -> None:
     """Decides that an undefined value cannot enter and be taken for 0 by a decision: sign(nan) would be 0."""

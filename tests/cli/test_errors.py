@@ -19,6 +19,8 @@ TABLES = {
     "empty cell": ('x\n0\n""\n', ["row 1", "''"]),
     "nan support": ("x,a\n0,1\n1,nan\n", ["row 1", "column a", "'nan'"]),
     "too large": ("x\n0\n1e400\n", ["too large"]),
+    "endless number": ("x\n0\n1e999999999\n", ["row 1", "column x", "'1e999999999'", "exponent"]),
+    "endless fraction": ("x\n0\n1e-999999999\n", ["row 1", "column x", "'1e-999999999'", "exponent"]),
     "endless cell": ("x\n" + "1" * 200_000 + "\n", []),
     "no header": ("0\n1\n2\n", ["header", "'0'"]),
     "other header": ("y\n0\n1\n", ["header", "'y'"]),
@@ -146,3 +148,9 @@ def test_out_writes_into_a_special_file_and_does_not_replace_it(rkverify, table,
     assert done.status == 0
     assert stat.S_ISFIFO(pipe.stat().st_mode)
     assert text.startswith(b"point,node,psi,dpsi_dx\n0,0,")
+
+
+def test_exact_results_of_endless_digits(refused):
+    """Python writes no integer beyond 4300 digits, and says so by a ValueError."""
+    given = {"nodes": "x\n0\n1\n2\n", "points": "x\n1e5000\n", "support": "1e5001"}
+    assert "digits" in refused("--arithmetic", "exact", **given)
