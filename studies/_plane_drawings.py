@@ -56,27 +56,33 @@ def _driven(growth: "pd.DataFrame", states: Sequence[str]) -> str:
     words = [
         f"{state} {int((part['growth'] > 0).sum())} of {len(part)}" for state, part in zip(states, parts, strict=True)
     ]
-    return f"By stress, all methods together: {', '.join(words)}; largest growth falls with the support ratio under tension and shear."
+    return f"By stress, all methods together: {', '.join(words)}."
 
 
 def draw_zone(zone: "pd.DataFrame", states: Sequence[str], ratio: str, stress: float) -> Drawing:
     """Growth over half the Brillouin zone, methods in rows and stresses in columns."""
     from matplotlib import colormaps
+    from matplotlib.collections import PolyCollection
     from matplotlib.colors import BoundaryNorm
 
     methods = list(dict.fromkeys(zone["method"]))
     figure = new_figure(10.0, 2.0 * len(methods) + 0.5)
     panels = figure.subplots(len(methods), len(states), sharex=True, sharey=True, squeeze=False)
     levels = np.array([1e-3, 0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0])
+    colours = colormaps["cividis_r"].with_extremes(under="#FFFFFF")
+    steps = BoundaryNorm(levels, colours.N, extend="both")
+    half = float(np.diff(np.unique(zone["ky"])).min()) / 2
+    corners = half * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
     shown: Any = None
     for row, method in zip(panels, methods, strict=True):
         for axes, state in zip(row, states, strict=True):
             part = zone[(zone["method"] == method) & (zone["state"] == state)]
-            square = part.pivot(index="ky", columns="kx", values="growth")
-            colours = colormaps["cividis_r"].with_extremes(under="#FFFFFF")
-            steps = BoundaryNorm(levels, colours.N, extend="both")
-            shown = axes.pcolormesh(square.columns, square.index, square, norm=steps, cmap=colours, shading="nearest")
-            axes.set_title(f"{method}, {state}: up to {square.to_numpy().max():.2g}", fontsize=9)
+            grows = part[part["growth"] >= levels[0]]
+            centres = grows[["kx", "ky"]].to_numpy()
+            shown = PolyCollection(centres[:, None] + corners, array=grows["growth"], norm=steps, cmap=colours)
+            axes.add_collection(shown)
+            axes.set(xlim=(-np.pi - half, np.pi + half), ylim=(-half, np.pi + half))
+            axes.set_title(f"{method}, {state}: up to {part['growth'].max():.2g}", fontsize=9)
             axes.set_aspect("equal")
             axes.set_xticks(*PI_TICKS)
             axes.set_yticks([0, np.pi], ["0", "π"])
@@ -97,7 +103,7 @@ def draw_zone(zone: "pd.DataFrame", states: Sequence[str], ratio: str, stress: f
     return Drawing(
         figure,
         caption,
-        f"Growth is largest at the edge of the zone, where waves are as short as the lattice allows: {peaks}.",
+        f"Where growth is largest in the zone: {peaks}. Long waves do not grow.",
     )
 
 
@@ -184,5 +190,5 @@ def draw_clouds(clouds: "pd.DataFrame", states: Sequence[str], ratio: str, stres
     return Drawing(
         figure,
         caption,
-        f"Uneven finite sets grow where the lattice does; where it does not, they grow slowly: {words}.",
+        f"Growth of finite sets beside that of the lattice: {words}.",
     )
