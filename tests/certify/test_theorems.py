@@ -13,8 +13,10 @@ import sympy
 from rkverify.arithmetic.native import Exact
 from rkverify.certify.stress_range import polynomials
 from rkverify.certify.tension_window import greatest_tension, window_end
-from rkverify.certify.theorems import algebra, catalogue
+from rkverify.certify.theorems import printed_squares as squares
 from rkverify.certify.theorems.at_rest import prove_form, prove_printed
+from rkverify.certify.theorems.families import FAMILIES, GROWTH
+from rkverify.certify.theorems.identities import prove_identity
 from rkverify.certify.theorems.isolation import NotProved, boxes, narrow, polynomial, tree
 from rkverify.certify.theorems.logs import log
 from rkverify.certify.theorems.of_kernels import prove_kernel
@@ -98,22 +100,22 @@ TRUE_AND_FALSE = {
         ("1/10", (1, 1, 1)),
     ),
     "a sum of squares": (
-        lambda weight: algebra.prove_squares(
+        lambda weight: squares.prove_squares(
             *NAME,
             "all",
             "scni-printed",
-            algebra.printed_discriminant("scni"),
+            squares.printed_discriminant("scni"),
             [
-                (algebra.u * algebra.w, algebra.a * algebra.q),
-                (4 * algebra.u, algebra.a),
-                (weight * algebra.t * algebra.u * algebra.w, algebra.g),
+                (squares.u * squares.w, squares.a * squares.q),
+                (4 * squares.u, squares.a),
+                (weight * squares.t * squares.u * squares.w, squares.g),
             ],
         ),
         (4,),
         (3,),
     ),
     "a telescoping sum": (
-        lambda last: algebra._identity(
+        lambda last: prove_identity(
             *NAME, "all", {"identity": "telescoping", "cells": 1}, *map(sympy.sympify, ("e1 - e0", f"{last} - e0")), "last - first"
         ),
         ("e1",),
@@ -148,7 +150,7 @@ def test_critical_numbers_agree_with_other_routes():
     """Sturm's sequence and bisection by roots at 30 digits: nothing of them enters the proofs."""
 
     def proved(family, name):
-        return catalogue.FAMILIES[family]()[name]().values[0]
+        return FAMILIES[family]()[name]().values[0]
 
     ((turn, *_),) = signs(method_at_pi, "cubic", "full", F(2)).turns
     assert proved("at_pi", "dni-at-pi-cubic-full").startswith(turn.digits)
@@ -167,9 +169,9 @@ def test_growth_in_motion_is_below_the_proved_bound_and_near_it():
         for R in ("6/5", "38/25", "19/10"):
             setting = Setting("semi-lagrangian", "scni", R, stress_ratio="1/3", velocity_gradient=str(Q), layer=layer)
             growth = max(b.omega.growth for b in dispersion(setting, [0.3, 1.5, 2.5, 3.14159265]))
-            assert growth <= float(catalogue.GROWTH) * abs(Q) + 1e-12
+            assert growth <= float(GROWTH) * abs(Q) + 1e-12
             largest = max(largest, growth / abs(Q))
-    assert largest > 0.99 * float(catalogue.GROWTH)
+    assert largest > 0.99 * float(GROWTH)
 
 
 @pytest.mark.decides("C45", "C46")
