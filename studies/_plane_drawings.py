@@ -37,8 +37,8 @@ def draw_growth(growth: "pd.DataFrame", states: Sequence[str], stress: float, wa
     figure.legend(*panels[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=len(methods))
     words = []
     for method in methods:
-        part = growth[growth["method"] == method]
-        words.append(f"{method} grows in {int((part['growth'] > 0).sum())} of {len(part)} settings")
+        part = growth[(growth["method"] == method) & (growth["state"] != "no stress")]
+        words.append(f"{method} grows in {int((part['growth'] > 0).sum())} of {len(part)} settings under stress")
     caption = (
         f"Largest growth over the waves that fit into {waves} by {waves} nodes, over the support ratio, under a stress of {stress:g} in size; linear below 0.1, "
         f"logarithmic above. {SETTING}."
