@@ -46,7 +46,7 @@ def draw_growth(growth: "pd.DataFrame", states: Sequence[str], stress: float, wa
     return Drawing(
         figure,
         caption,
-        f"{'; '.join(words)}. Tension and shear drive DNI and SNNI at every support ratio but few; SCNI stays at zero.",
+        f"{'; '.join(words)}. {_driven(growth, states)}",
     )
 
 
