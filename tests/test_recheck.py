@@ -9,6 +9,7 @@ import hashlib
 import json
 import subprocess
 import sys
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
@@ -16,6 +17,7 @@ import pytest
 from rkverify.cli import main
 from rkverify.errors import BadInput
 from rkverify.recheck import recheck
+from rkverify.recheck.boxes import enclosed, zeros_inside
 from rkverify.recheck.reading import Rejected
 
 FOLDER = Path(__file__).resolve().parents[1] / "reports" / "results" / "theorems"
@@ -147,6 +149,54 @@ def test_a_tree_of_boxes_covers_its_rectangle(spoil, told):
     assert len(piece["tree"]) > 3, "a single box would not show it"
     piece["tree"] = spoil(piece["tree"])
     with pytest.raises(BadInput, match=told):
+        recheck(signed([spoilt]))
+
+
+TWO = [Fraction(2), Fraction(-9), Fraction(9)]
+"""(3 x - 1)(3 x - 2)."""
+
+
+@pytest.mark.parametrize(
+    ("boxes", "told"),
+    [
+        ([[0, 1, 0]], "2 changes of sign, 0 claimed"),
+        ([[0, 1, 2]], "more than one change of sign"),
+        ([[0, "1/2", True], ["1/2", 1, 1]], "changes of sign"),
+        ([[0, "1/3", 0], ["1/3", "1/2", 0], ["1/2", 1, 1]], "zero at 1/3, between two boxes"),
+        ([[0, "1/2", 1], ["3/4", 1, 0]], "nothing covers the place after 1/2"),
+        ([[0, "1/2", 1]], "nothing covers the place after 1/2"),
+        ([["1/4", "1/2", 1], ["1/2", 1, 1]], "nothing covers the place after 0"),
+        ([[0, "2/3", 1], ["1/2", 1, 1]], "nothing covers the place after 2/3"),
+        ([[0, 0, 0], [0, "1/2", 1], ["1/2", 1, 1]], "nothing covers"),
+        ([[0, "1/2"]], "two ends and a count"),
+        ("boxes", "no list"),
+    ],
+)
+def test_boxes_that_hide_a_zero_are_refused(boxes, told):
+    """Every way to leave out one of two zeros; the honest boxes find both."""
+    ends = Fraction(0), Fraction(1)
+    assert len(zeros_inside(TWO, [[0, "1/2", 1], ["1/2", 1, 1]], *ends, "p")) == 2
+    with pytest.raises(BadInput, match=told):
+        zeros_inside(TWO, boxes, *ends, "p")
+
+
+@pytest.mark.parametrize(
+    ("zero", "told"),
+    [(["2/5", "9/20"], "no change of sign"), (["1/4", "3/4"], "not enclosed"), (["1/4", "9/20"], "wider than 1e-1")],
+)
+def test_an_enclosure_holds_its_zero(zero, told):
+    box = Fraction(0), Fraction(1, 2)
+    assert enclosed(["1/3", "1/3"], TWO, box, 30, "p") == (Fraction(1, 3), Fraction(1, 3))
+    with pytest.raises(BadInput, match=told):
+        enclosed(zero, TWO, box, 1, "p")
+
+
+def test_a_sample_lies_in_its_stretch():
+    """The count beside the turn says nothing of the stretch behind it."""
+    spoilt = theorem("dni-window-cubic")
+    samples = spoilt["proof"]["samples"]
+    samples[-1] = samples[0]
+    with pytest.raises(BadInput, match="is not between"):
         recheck(signed([spoilt]))
 
 

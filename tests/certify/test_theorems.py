@@ -14,6 +14,7 @@ from rkverify.arithmetic.native import Exact
 from rkverify.certify.stress_range import polynomials
 from rkverify.certify.tension_window import greatest_tension, window_end
 from rkverify.certify.theorems import printed_squares as squares
+from rkverify.certify.theorems import waves
 from rkverify.certify.theorems.at_rest import prove_form, prove_printed
 from rkverify.certify.theorems.families import FAMILIES, GROWTH
 from rkverify.certify.theorems.identities import prove_identity
@@ -31,6 +32,7 @@ from rkverify.ledger.states import read_evidence
 from rkverify.paths import checkout
 from rkverify.recheck import forces, recheck
 from rkverify.recheck.polynomials import value
+from rkverify.recheck.reading import Rejected
 from rkverify.stability.layers import Setting, dispersion
 
 F = Fraction
@@ -195,6 +197,16 @@ def test_the_checkers_lattice_is_the_projects(kernel_name, R, derivative):
     z = 1 / R
     found = [[value(p, z) / value(below, z) for p in part] for part in (S, G)]
     assert found == [list(part) for part in polynomials(R, derivative, kernel_name)]
+
+
+def test_the_checker_asks_for_positive_ends(monkeypatch):
+    """A prover without that question would call stable what grows at kh = pi: no zero inside, and all of it negative there."""
+    wrong = partial(prove_counts_over_tension, *NAME, F(5, 2), "full", (F(0), F(1)), kernel="wendland-c2")
+    with pytest.raises(NotProved, match="negative at kh = 0 or pi"):
+        wrong((1,))
+    monkeypatch.setattr(waves, "sign", lambda p, x: 1)
+    with pytest.raises(Rejected, match="not positive at both ends"):
+        recheck(log([wrong((1,))]))
 
 
 def test_boxes_isolate_known_zeros():
