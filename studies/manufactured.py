@@ -127,6 +127,8 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
         axes.loglog(h, 0.02 * h**2, color="#999999", linewidth=0.8)
         axes.annotate("h²", (h[-1], 0.02 * h[-1] ** 2), fontsize=8, color="#555555")
         axes.set(title=f"{kind} nodes", xlabel="spacing h  (side of the square = 1)")
+        axes.set_xticks(h, [f"1/{n}" for n in p.divisions])
+        axes.set_xticks([], minor=True)
     panels[0].set_ylabel("L2 error of the displacement  (length)")
     panels[-1].legend(fontsize=8, title="open, thin: smoothed")
     orders = tables["orders"].frame
