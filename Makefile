@@ -63,10 +63,11 @@ notebooks: install ## execute the notebooks into reports/notebooks (20 s)
 report: install ## build reports/index.html from finished studies (1 s)
 	$(RUN) report
 
-bench: install ## measure the arithmetics, shape functions beside pycompadre, kinematic updates into reports/benchmarks (4 min)
+bench: install ## measure the arithmetics, shape functions beside pycompadre, kinematic updates and steps into reports/benchmarks (5 min)
 	$(BIN)/python benchmarks/arithmetics.py
 	$(BIN)/python benchmarks/shape_functions.py
 	$(BIN)/python benchmarks/kinematic_update.py
+	$(BIN)/python benchmarks/semi_lagrangian_step.py
 
 peers: .venv-peers/installed ## build the packages we compare with and compute their numbers anew (5 min; 1 min later)
 	.venv-peers/bin/python benchmarks/peers/run.py

@@ -96,10 +96,10 @@ def operator_now(matter: Matter, motion: Motion) -> GradientOperator:
     return snni(cloud, measures)
 
 
-def forces(matter: Matter, motion: Motion) -> Now:
-    """Everything that stands in (41) at one time."""
+def forces(matter: Matter, motion: Motion, operator: GradientOperator | None = None) -> Now:
+    """Everything that stands in (41) at one time; operator: that of `operator_now`, where it is known already."""
     cloud = matter.cloud.at(motion.x)
-    operator = operator_now(matter, motion)
+    operator = operator_now(matter, motion) if operator is None else operator
     stress = motion.state.cauchy * operator.measures[:, None, None]
     internal = sum((part.T @ stress[:, :, j] for j, part in enumerate(operator.parts)), 0.0 * motion.x)
     near = neighbours(cloud, motion.x)
@@ -119,7 +119,11 @@ def step(matter: Matter, motion: Motion, dt: float, first: bool = False) -> tupl
 
     N v takes the velocities half a step before. first: the velocities are those at the step's beginning.
     """
-    now = forces(matter, motion)
+    return advanced(matter, motion, forces(matter, motion), dt, first)
+
+
+def advanced(matter: Matter, motion: Motion, now: Now, dt: float, first: bool = False) -> tuple[Motion, Account]:
+    """`step`, from forces that are known."""
     push = dt * now.acceleration()
     at_start, after = (motion.v, motion.v + push / 2) if first else (motion.v + push / 2, motion.v + push)
     entry = account(motion.time, now.mass, motion.x, at_start, motion.worked)
