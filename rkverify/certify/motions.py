@@ -3,7 +3,7 @@
 Each is written for the numbers of any arithmetic, and is at rest at t = 0.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -20,6 +20,10 @@ class Motion:
     name: str
     forth: Map
     back: Map
+
+
+Path = Callable[[Scalar], Motion]
+"""A motion over time."""
 
 
 def translation(t: Scalar) -> Motion:
@@ -84,10 +88,7 @@ def bending(t: Scalar) -> Motion:
     return _sheared("bending", t / 4, 2)
 
 
-def together(t: Scalar) -> Motion:
-    """A stretch, then a turn, then bending."""
-    parts = (stretch(t), turn(t), bending(t))
-
+def _one_after_the_other(name: str, parts: Sequence[Motion]) -> Motion:
     def forth(X: Vector) -> Vector:
         for part in parts:
             X = part.forth(X)
@@ -98,7 +99,17 @@ def together(t: Scalar) -> Motion:
             x = part.back(x)
         return x
 
-    return Motion("stretch, turn, bending", forth, back)
+    return Motion(name, forth, back)
+
+
+def together(t: Scalar) -> Motion:
+    """A stretch, then a turn, then bending."""
+    return _one_after_the_other("stretch, turn, bending", (stretch(t), turn(t), bending(t)))
+
+
+def flexure(t: Scalar) -> Motion:
+    """x_1 = (1 + t) X_1, x_2 = X_2/(1 + t) + t x_1^2/6: a block is drawn out and its long lines become parabolas; det F = 1."""
+    return _one_after_the_other("stretch, bending", (stretch(t), bending(2 * t / 3)))
 
 
 RIGID: tuple[Callable[[Scalar], Motion], ...] = (translation, turn)
