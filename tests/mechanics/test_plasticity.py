@@ -14,6 +14,7 @@ from rkverify.certify.mechanics.specimens import square
 from rkverify.solid.materials.j2 import J2
 from rkverify.solid.materials.small_strain import SmallStrain
 from rkverify.solid.materials.truesdell import Truesdell
+from rkverify.solid.mechanics.statics import equilibrium_in_steps
 
 # Rounding of each of some ten steps, times the condition of the stiffness in plastic flow, some 1e4 (H is a twentieth of 3 mu).
 STATES = 1e-11
@@ -51,6 +52,18 @@ def test_the_twin_that_forgets_does_not(jittered):
     assert abs(found.body.state.sigma - points[1].sigma).max() > 1e-4
     backwards = cyclic.follow(plate, path[3:4])[0]
     assert abs(backwards.body.state.sigma - points[3].sigma).max() > cyclic.YIELD
+
+
+def test_load_steps_hand_on_the_state(jittered):
+    """`equilibrium_in_steps` ends where the point does after the whole path; in one step to the same place it does not."""
+    path = cyclic.cycle("tension", 0.1, 8)[:5]
+    plate = cyclic.homogeneous(jittered, cyclic.LAW)
+    problems = [plate.led(plate.start, plate.held.points @ (F - np.eye(2)).T) for F in path]
+    point = cyclic.material_point(cyclic.LAW, path)[-1]
+    found = equilibrium_in_steps(plate.body, problems)
+    assert abs(found.body.state.sigma - point.sigma).max() <= STATES
+    alone = equilibrium_in_steps(plate.body, problems[-1:])
+    assert abs(alone.body.state.sigma - point.sigma).max() > cyclic.YIELD
 
 
 @pytest.mark.decides("C14")
