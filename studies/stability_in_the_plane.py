@@ -47,6 +47,7 @@ class Parameters:
         Case("square", FULL, "1.8", "compression", (2, 0)),
         Case("square", FULL, "1.7", "shear", (2, 2)),
         Case("square", DIFFUSE, "1.7", "tension", (2, 1)),
+        Case("square", DIFFUSE, "1.5", "compression", (0, 2)),
         Case("hexagonal", FULL, "1.6", "compression", (2, 0)),
         Case("square", SNNI, "1.7", "tension", (2, 0)),
         Case("square", SNNI, "1.7", "shear", (2, 2)),
