@@ -161,8 +161,10 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
         f"Voronoi cells cut off at the boundary. {'; '.join(sentences)}. Grey is outside the domain; arrows: outward normals N of the edges, all drawn of one length. Points of the edge rules "
         f"{' and '.join(p.rules)}. All of it is ours: the paper draws one cell by hand and gives no numbers; cubic kernel, order 1, supports {p.support_ratio:g} times the distance to the farthest vertex of a node's cell."
     )
+    interior, clipped = (chosen[cell] for cell in FILL)
     alternative = (
-        f"An L-shaped domain with a square hole, tiled by {len(nodes)} polygons around their nodes. One cell is enlarged in the interior, convex, and one that is cut off by "
+        f"Cells of nodes close around their areas with outward normals, in the interior (area {areas[interior]:.5f}) and where a corner of the boundary cuts in (area {areas[clipped]:.5f}). "
+        f"An L-shaped domain with a square hole is tiled by {len(nodes)} polygons around their nodes. One cell is enlarged in the interior, convex, and one that is cut off by "
         "a corner of the hole and not convex. On every edge an arrow points out of the cell at a right angle; marks show the vertices, where the trapezoidal rule looks, and two Gauss points on each edge."
     )
     return {"figure1": Drawing(figure, caption, alternative)}

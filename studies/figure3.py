@@ -148,7 +148,8 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
         f"{count.get('away', 0)} move away, {count.get('towards', 0)} approach. Arrows are velocities times {1 / SCALE:g} time. (b) Coloured: (n.(v - v_I)) n, n drawn for one neighbour; dashed: where n.(v - v_I) = 0. (c) The two agree to {rounding(gap)}. All parameters and the motion are ours: the paper's figure is a sketch of one neighbour."
     )
     alternative = (
-        f"Velocities of the neighbours of a node share a large common part, v_I. With it taken off, {count.get('away', 0)} neighbours, along the direction of stretching, have a projection on n that points outward, marked by upward triangles, and {count.get('towards', 0)}, across it, one that points "
+        f"Of {len(near)} neighbours of a node {count.get('away', 0)} move away, where n.(v - v_I) is positive, and {count.get('towards', 0)} approach, where it is negative; everywhere it is the rate of the distance. "
+        "Velocities of the neighbours share a large common part, v_I. With it taken off, neighbours along the direction of stretching have a projection on n that points outward, marked by upward triangles, and those across it one that points "
         "inward, marked by downward triangles; dashed lines through the node part the sectors. All points of n.(v - v_I) against the rate of the distance lie on the diagonal."
     )
     return {"figure3": Drawing(figure, caption, alternative)}
