@@ -141,14 +141,16 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
                 & (frame["integration"] == integration)
                 & (frame["convection"] == convection)
             ]
-            size = part[quantity].abs().clip(lower=1e-17)
+            size = part[quantity].abs().clip(lower=ROUNDING)
             axes.semilogy(
                 part["time"], size, label=_label(formulation, integration, convection), **{**style, "linewidth": 1.1}
             )
         axes.set(
-            xlabel="time  (side of the block / wave speed)", ylabel="|change since the start|  (1)", ylim=(1e-17, 30)
+            xlabel="time  (side of the block / wave speed)",
+            ylabel="|change since the start|  (1)",
+            ylim=(ROUNDING / 3, 30),
         )
-        axes.set_title(f"{words}", fontsize=10)
+        axes.set_title(f"{words}; at {ROUNDING:g}: rounding or nothing", fontsize=10)
         axes.legend(fontsize=7, loc="center right", bbox_to_anchor=(1.0, 0.32))
         values = "; ".join(
             f"{_label(*run)}: {'rounding' if kept[run][quantity] < ROUNDING else format(kept[run][quantity], '.2g')}"
