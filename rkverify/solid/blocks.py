@@ -103,7 +103,7 @@ def _refuse(cloud: Cloud, x: Array, point: int, fault: int, number: int, left: f
         what = (
             "lies in a gap that no node's support covers"
             if number == 0
-            else f"is covered by the supports of {number} node{'s' * (number > 1)}"
+            else f"is covered by the supports of {number} {'nodes' if number > 1 else 'node'}"
         )
         raise TooFewNodes(f"{place} {what}; order {cloud.order} needs {m}: enlarge supports or add nodes there")
     where = " (are the nodes under the support on one line or in one plane?)" if cloud.dimension > 1 else ""

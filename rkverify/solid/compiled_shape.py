@@ -17,10 +17,10 @@ from collections.abc import Callable
 from functools import cache
 
 import numpy as np
-from numba import carray, njit
+from numba import njit
 
 from rkverify.solid.bases import axis_pairs, basis_tables
-from rkverify.solid.compiling import OPTIONS, compiled, stack_memory
+from rkverify.solid.compiling import OPTIONS, carray, compiled, stack_memory
 from rkverify.solid.kernel_values import Array
 
 FULL, DIFFUSE, FROZEN_B, FROZEN = range(4)

@@ -3,13 +3,15 @@
 What a factory's arguments fix are constants of the compiled code: its short loops unroll and its small arrays live in
 registers. Compiled functions run for doubles and for complex doubles, and decide on real parts. The cache on disk looks
 at the file of a function and at what its factory fixed, not at other files: a compiled function calls none of another file
-but the ones here.
+but the ones here. With NUMBA_DISABLE_JIT=1 the same lines are run by Python, as mutation tests do.
 """
 
 from collections.abc import Callable
 from typing import Any
 
-from numba import njit, types
+import numpy as np
+from numba import carray as viewed
+from numba import config, njit, types
 from numba.core import cgutils
 from numba.extending import intrinsic
 
@@ -36,4 +38,13 @@ def _stack_memory(typing: Any, like: Any, size: Any) -> Any:
     return types.CPointer(like.dtype)(like, size), code
 
 
-stack_memory = intrinsic(prefer_literal=True)(_stack_memory)
+def _in_python(like: Any, size: int) -> Any:
+    return np.empty(size, like.dtype)
+
+
+def _as_it_is(memory: Any, size: int) -> Any:
+    return memory
+
+
+stack_memory: Any = _in_python if config.DISABLE_JIT else intrinsic(prefer_literal=True)(_stack_memory)
+carray: Any = _as_it_is if config.DISABLE_JIT else viewed
