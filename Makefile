@@ -80,5 +80,5 @@ peers: .venv-peers/installed ## build the packages we compare with and compute t
 	touch $@
 
 clean: ## remove .venv, caches and built pages; committed results stay (1 s)
-	rm -rf .venv .rkverify .mypy_cache .ruff_cache .import_linter_cache .hypothesis reports/*.html reports/style.css \
+	rm -rf .venv .rkverify .mypy_cache .ruff_cache .import_linter_cache .hypothesis reports/*.html reports/*.js reports/style.css \
 	  reports/notebooks reports/benchmarks

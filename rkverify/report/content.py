@@ -2,23 +2,32 @@
 
 import json
 import os
-import tomllib
 from dataclasses import dataclass, field
-from functools import cache
-from importlib.resources import files
 from typing import Any
 
-from latex2mathml.converter import convert
-from markupsafe import Markup
-
-from rkverify.ledger.entries import entries, transcriptions
-from rkverify.ledger.states import FAILS, HOLDS, MIXED, READING, STATES, Evidence, State, counts, read_evidence, state
+from rkverify.errors import BadInput
+from rkverify.ledger.entries import Entry, entries
+from rkverify.ledger.states import FAILS, HOLDS, STATES, Evidence, State, counts, read_evidence, state
 from rkverify.paths import Checkout
+from rkverify.report.formulas import formulas
+from rkverify.report.links import Link, module_link, relative, slug
 from rkverify.workflow import manifest, records
 from rkverify.workflow.discovery import study_names
+from rkverify.workflow.produce import DESCRIPTION, STATEMENTS
 
 CSS = dict(zip(STATES, ("holds", "reading", "fails", "mixed", "definition", "undecidable", "open"), strict=True))
-PARTS = {"E": "Equations", "F": "Figures", "C": "Claims"}
+PARTS = {"E": "equations", "F": "figures", "C": "claims"}
+"""The first letter of an entry and the page that shows it."""
+GRADES = ("proved", "enclosed", "exact", "sampled")
+"""Grades of evidence, the strongest first."""
+SHOWN = (
+    "studies.",
+    "rkverify.paper.",
+    "rkverify.solid.",
+    "rkverify.certify.",
+    "rkverify.stability.",
+    "rkverify.check.",
+)
 
 
 def state_css(word: str) -> str:
@@ -26,11 +35,9 @@ def state_css(word: str) -> str:
     return CSS.get(word, "")
 
 
-@cache
-def formulas() -> dict[int, Markup]:
-    """Equation number -> MathML."""
-    raw = tomllib.loads(files("rkverify.report").joinpath("formulas.toml").read_text(encoding="utf-8"))
-    return {int(number): Markup(convert(latex, display="block")) for number, latex in raw.items()}
+def entry_href(id: str) -> str:
+    """Where an entry is shown."""
+    return f"{PARTS[id[0]]}.html#{id}"
 
 
 @dataclass(frozen=True)
@@ -43,27 +50,13 @@ class StudyPage:
     purpose: str
     figures: list[dict[str, str]]
     tables: list[dict[str, Any]]
+    documents: list[Link]
     statements: list[dict[str, Any]]
     parameters: list[tuple[str, str]]
     formulas: list[dict[str, Any]]
-    code: list[dict[str, str]]
+    code: list[Link]
+    seconds: float | None
     foot: str
-
-
-def relative(place: Checkout, *parts: str) -> str:
-    """A link from a page to a place in the checkout."""
-    return os.path.relpath(place.root.joinpath(*parts), place.pages).replace(os.sep, "/")
-
-
-def module_link(place: Checkout, path: str) -> dict[str, str]:
-    """A link to the source of a module, or of the module that a function or method stands in."""
-    while True:
-        place_of_it = place.root.joinpath(*path.split("."))
-        for file in (place_of_it.with_suffix(".py"), place_of_it / "__init__.py"):
-            if file.is_file():
-                shown = file.relative_to(place.root).as_posix()
-                return {"name": shown, "href": relative(place, shown)}
-        path = path.rpartition(".")[0]
 
 
 def _comparison(record: dict[str, Any]) -> str:
@@ -74,17 +67,23 @@ def _comparison(record: dict[str, Any]) -> str:
 def statement(evidence: Evidence) -> dict[str, Any]:
     """A statement as a page shows it."""
     word = {True: HOLDS, False: FAILS, None: "not decidable"}[evidence.holds]
+    proof = "proof" if evidence.evidence == "proved" else "evidence"
     return {
-        "name": evidence.name,
-        "about": evidence.about,
+        "study": evidence.study,
+        "id": slug(evidence.name),
+        "href": f"{evidence.study}.html#{slug(evidence.name)}",
+        "about": [Link(entry_href(id), id) for id in evidence.about],
         "word": word,
         "css": CSS[word],
+        "label": "counterexample" if evidence.holds is False else proof,
+        "layer": evidence.layer,
+        "reading": evidence.reading,
         "where": ", ".join(filter(None, [evidence.layer, evidence.reading])),
         "says": evidence.says,
         "tried": evidence.tried,
         "evidence": evidence.evidence,
         "routes": evidence.routes,
-        "margin": "" if evidence.margin is None else f"{evidence.margin:.4g}",
+        "margin": "" if evidence.margin is None else f"{evidence.margin + 0.0:.4g}",
         "margin_means": evidence.margin_means,
     }
 
@@ -94,42 +93,44 @@ def study_page(place: Checkout, name: str, evidence: list[Evidence]) -> StudyPag
     data = manifest.description(place, name)
     results = os.path.relpath(place.results / name, place.pages).replace(os.sep, "/")
     own = [e for e in evidence if e.study == name]
-    modules = data["provenance"]["modules"]
-    numbers = sorted({int(id[1:]) for e in own for id in e.about if id.startswith("E")} & formulas().keys())
-    if name.startswith("figure"):
-        numbers = sorted(set(numbers) | FIGURE_FORMULAS.get(name, set()))
+    about = {id for e in own for id in e.about}
+    numbers = sorted(int(id[1:]) for id in about if id.startswith("E"))
     source = (place.studies / f"{name}.py").read_text(encoding="utf-8")
+    described = {*data["tables"], *data["figures"], STATEMENTS, DESCRIPTION}
+    run = records.last_run(place, name)
     return StudyPage(
         name=name,
         title=data["title"],
         short=data["title"].partition(":")[0],
         purpose=source.split('"""')[1].strip(),
-        figures=[{"src": f"{results}/{file}", **words} for file, words in data["figures"].items()],
+        figures=[{"src": f"{results}/{file}", "study": name, **words} for file, words in data["figures"].items()],
         tables=[
-            {"file": file, "href": f"{results}/{file}", "comparison": _comparison(data["comparison"][file]), **words}
+            {
+                "study": name,
+                "file": file,
+                "href": f"{results}/{file}",
+                "comparison": _comparison(data["comparison"][file]),
+                **words,
+            }
             for file, words in data["tables"].items()
         ],
+        documents=[Link(f"{results}/{file}", file) for file in data["comparison"] if file not in described],
         statements=[statement(e) for e in own],
         parameters=[
             (key, json.dumps(value, ensure_ascii=False)) for key, value in data["provenance"]["parameters"].items()
         ],
-        formulas=[{"number": n, "mathml": formulas()[n]} for n in numbers],
+        formulas=[{"number": n, "href": f"equations.html#E{n}", "mathml": formulas()[n]} for n in numbers],
         code=[
-            module_link(place, m)
-            for m in modules
-            if m.startswith(("studies.", "rkverify.paper.", "rkverify.certify.", "rkverify.stability."))
+            Link(relative(place, "studies", f"{name}.py"), f"studies/{name}.py"),
+            *(
+                module_link(place, m)
+                for m in data["provenance"]["modules"]
+                if m.startswith(SHOWN) and m != f"studies.{name}"
+            ),
         ],
+        seconds=None if run is None else run.seconds,
         foot=foot(place, name),
     )
-
-
-FIGURE_FORMULAS = {
-    "figure4": {61, 63},
-    "figure5": {76, 79},
-    "figure6": {76, 79},
-    "figure7": {80, 82, 85},
-    "figure8": {80, 82, 85},
-}
 
 
 def foot(place: Checkout, name: str) -> str:
@@ -137,29 +138,50 @@ def foot(place: Checkout, name: str) -> str:
     run = records.last_run(place, name)
     if run is None:
         return "These results are the committed ones; they have not been recomputed on this machine."
-    how = {key: run.circumstances.get(key, "unknown") for key in ("command", "commit", "python", "processor", "cores")}
-    versions = ", ".join(f"{package} {number}" for package, number in run.circumstances.get("packages", {}).items())
+    return f"Computed by {_how(run.circumstances)}; it took {run.seconds:.1f} s and finished {run.finished}."
+
+
+def _how(circumstances: dict[str, Any]) -> str:
+    how = {key: circumstances.get(key, "unknown") for key in ("command", "commit", "python", "processor", "cores")}
+    versions = ", ".join(f"{package} {number}" for package, number in circumstances.get("packages", {}).items())
     return (
-        f"Computed by {how['command']} at commit {how['commit']} in {run.seconds:.1f} s, finished {run.finished}; "
-        f"Python {how['python']}, {versions}; {how['processor']}, {how['cores']} cores."
+        f"{how['command']} at commit {how['commit']}; Python {how['python']}, {versions}; "
+        f"{how['processor']}, {how['cores']} cores"
     )
+
+
+def build_foot(place: Checkout, now: str) -> str:
+    """Commit, versions, processor, command and time of the build of the pages."""
+    return f"Page built {now} by {_how(records.circumstances(place.root))}."
 
 
 @dataclass(frozen=True)
 class Site:
-    """Everything that the pages show."""
+    """Everything that the pages show. missing: studies without results, of which the pages show nothing."""
 
-    studies: list[StudyPage]
+    studies: dict[str, StudyPage]
     states: dict[str, State]
     evidence: list[Evidence] = field(repr=False)
+    missing: list[str]
+
+    def entries(self, letter: str) -> list[tuple[Entry, State]]:
+        """The entries of one kind, in the paper's order, each with its state."""
+        return [(e, self.states[name]) for name, e in entries().items() if name.startswith(letter)]
 
 
 def gather(place: Checkout) -> Site:
-    """Read results, statements and records."""
-    evidence = read_evidence(place.results)
-    studies = [study_page(place, name, evidence) for name in study_names(place)]
+    """Read results, statements and records.
+
+    Raises BadInput where no study has results, or those of one cannot be read.
+    """
+    names = study_names(place)
+    missing = [name for name in names if not (place.results / name).is_dir()]
+    if len(missing) == len(names):
+        raise BadInput(f"no study has results under {place.shown(place.results)}: run `make reproduce`")
+    evidence = [e for e in read_evidence(place.results) if e.study in names]
+    studies = {name: study_page(place, name, evidence) for name in names if name not in missing}
     found = {name: state(e, evidence) for name, e in entries().items()}
-    return Site(studies, found, evidence)
+    return Site(studies, found, evidence, missing)
 
 
 def count_rows(site: Site) -> list[dict[str, Any]]:
@@ -171,36 +193,3 @@ def count_rows(site: Site) -> list[dict[str, Any]]:
             row[letter] = sum(s.name == word for name, s in site.states.items() if name.startswith(letter))
         rows.append(row)
     return rows
-
-
-def findings(site: Site) -> list[dict[str, Any]]:
-    """The entries that fail, differ between layers or hold under a reading only, the plainest first."""
-    order = (FAILS, MIXED, READING)
-    found = []
-    for name, e in entries().items():
-        s = site.states[name]
-        if s.name in order:
-            found.append(
-                {"id": name, "state": s.name, "css": CSS[s.name], "statement": e.statement, "detail": s.detail}
-            )
-    return sorted(found, key=lambda f: order.index(f["state"]))
-
-
-def ledger_parts(place: Checkout, site: Site) -> list[dict[str, Any]]:
-    """The ledger's rows by equations, figures and claims."""
-    parts = []
-    for letter, title in PARTS.items():
-        rows = []
-        for name, e in entries().items():
-            if name.startswith(letter):
-                s = site.states[name]
-                where = transcriptions().get(int(name[1:]), []) if letter == "E" else []
-                code = [{"name": path.rpartition(".")[2], "href": module_link(place, path)["href"]} for path in where]
-                rows.append(
-                    {
-                        "id": name, "state": s.name, "css": CSS[s.name], "statement": e.statement, "place": e.place,
-                        "detail": s.detail, "evidence": s.evidence, "code": code,
-                    }
-                )  # fmt: skip
-        parts.append({"title": title, "rows": rows})
-    return parts

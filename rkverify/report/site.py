@@ -1,22 +1,107 @@
 """Writing the pages."""
 
+from datetime import UTC, datetime
 from importlib.resources import files
 from pathlib import Path
+from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from rkverify.paths import Checkout
-from rkverify.report.content import count_rows, findings, gather, ledger_parts
-from rkverify.report.stability import LAYERS, claims_by_layer, counts_by_layer, plan, sections
+from rkverify.report import cards, choices, content, explorer, front, record, sections
+from rkverify.report.formulas import data, formulas
 from rkverify.workflow.files import write_atomically
+from rkverify.workflow.study import LAYERS
+
+ASSETS = ("style.css", "tables.js", "lattice.js", "explorer.js")
+OWN = {"index": "Overview", "equations": "Equations", "claims": "Claims", "readings": "Readings"}
+LAST = {"explorer": "Explorer", "reproduce": "Reproduce"}
+"""Pages with a template of their own, before and after those on a subject."""
+
+
+def menu() -> dict[str, str]:
+    """Page -> its name in the menu, in order."""
+    subjects = {name: plan["title"] for name, plan in sections.plans().items()}
+    first = {"index": OWN["index"], "equations": OWN["equations"], "figures": subjects.pop("figures")}
+    return {**first, "claims": OWN["claims"], "readings": OWN["readings"], **subjects, **LAST}
+
+
+def pages(place: Checkout, site: content.Site) -> dict[str, dict[str, Any]]:
+    """Page -> template, title and what the template shows."""
+    claims = cards.cards(place, site, "C")
+    equations = cards.cards(place, site, "E")
+    figures = cards.figure_cards(place, site, claims)
+    every = {card.id: card for card in [*equations, *claims, *(figure.card for figure in figures)]}
+    layered = sections.by_layer(list(every.values()))
+    words, numbers = sections.counts_by_layer(layered)
+    bars = front.picture(site)
+    found: dict[str, dict[str, Any]] = {
+        "index": {
+            "title": "Stability of Lagrangian and semi-Lagrangian RK discretisations, checked by computation",
+            "lead": data("front.toml")["lead"],
+            "bars": bars,
+            "in_words": front.in_words(bars),
+            "counts": content.count_rows(site),
+            "findings": front.findings(site, every),
+            "undecided": cards.undecided(site),
+        },
+        "equations": {"title": "Equations", "cards": equations},
+        "claims": {"title": "Claims", "cards": claims, "layers": LAYERS},
+        "readings": {
+            "title": "Readings",
+            "lead": data("readings.toml")["lead"],
+            "choices": choices.choices(place, site),
+        },
+        "explorer": {
+            "title": "Explorer",
+            "data": explorer.data(),
+            "options": explorer.options(),
+            "relations": [
+                {"key": key, "number": number, "mathml": formulas()[number]}
+                for key, number in explorer.RELATIONS.items()
+            ],
+        },
+        "reproduce": {
+            "title": "Reproduce",
+            "rows": record.study_rows(place, site),
+            "tolerances": record.tolerances(site),
+            "environment": record.environment(place),
+            "targets": record.targets(place),
+            "sources": record.sources(place),
+        },
+    }
+    for name, plan in sections.plans().items():
+        shown: dict[str, Any] = {"title": plan["title"], "lead": plan["lead"]}
+        if name == "figures":
+            found[name] = {**shown, "cards": figures}
+            continue
+        found[name] = {
+            **shown,
+            "template": "subject",
+            "sections": sections.sections(place, site, plan),
+            "layered": layered if plan.get("layers") else [],
+            "layers": LAYERS,
+            "words": words,
+            "numbers": numbers,
+            "controls": record.controls(place) if plan.get("controls") else [],
+        }
+    for name, study in site.studies.items():
+        found[name] = {
+            "template": "study",
+            "title": study.title,
+            "study": study,
+            "run_foot": study.foot,
+            "page_of": [(page, menu()[page]) for page in sections.pages_of(name, sections.plans())],
+        }
+    return found
 
 
 def build(place: Checkout) -> Path:
-    """Write index.html, ledger.html, stability.html, a page for each study and the style sheet; returns the front page.
+    """Write every page, the style sheet and the scripts; returns the front page.
 
-    Raises BadInput where a study has no results, or the folder cannot be written.
+    Raises BadInput where no study has results, a page shows what no study has, or the folder cannot be written.
     """
-    site = gather(place)
+    site = content.gather(place)
     environment = Environment(
         loader=PackageLoader("rkverify.report"),
         autoescape=True,
@@ -24,45 +109,16 @@ def build(place: Checkout) -> Path:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    templates = {
-        name: environment.get_template(f"{name}.html.j2") for name in ("index", "ledger", "stability", "study")
-    }
-    foot = site.studies[0].foot
-    pages = {
-        "index": templates["index"].render(
-            page="index",
-            title="A verification of Lagrangian and semi-Lagrangian RK discretisations",
-            studies=site.studies,
-            counts=count_rows(site),
-            total=len(site.states),
-            statement_count=len(site.evidence),
-            findings=findings(site),
-            foot=foot,
-        ),
-        "ledger": templates["ledger"].render(
-            page="ledger", title="Ledger", studies=site.studies, parts=ledger_parts(place, site), foot=foot
-        ),
-    }
-    claims = claims_by_layer(site.states)
-    words, numbers = counts_by_layer(claims)
-    pages["stability"] = templates["stability"].render(
-        page="stability",
-        title="Stability",
-        studies=site.studies,
-        lead=plan()["lead"],
-        layers=LAYERS,
-        claims=claims,
-        words=words,
-        counts=numbers,
-        sections=sections(place, site),
-        foot=foot,
+    environment.globals.update(
+        menu=menu(),
+        site=site,
+        entry_href=content.entry_href,
+        foot=content.build_foot(place, datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC")),
+        run_foot="",
     )
-    for study in site.studies:
-        pages[study.name] = templates["study"].render(
-            page=study.name, title=study.title, studies=site.studies, study=study, foot=study.foot
-        )
-    for name, text in pages.items():
-        write_atomically(place.pages / f"{name}.html", text)
-    style = files("rkverify.report").joinpath("templates/style.css").read_text(encoding="utf-8")
-    write_atomically(place.pages / "style.css", style)
+    for name, shown in pages(place, site).items():
+        template = environment.get_template(f"{shown.get('template', name)}.html.j2")
+        write_atomically(place.pages / f"{name}.html", template.render(page=name, **shown))
+    for name in ASSETS:
+        write_atomically(place.pages / name, files("rkverify.report").joinpath(f"templates/{name}").read_text("utf-8"))
     return place.pages / "index.html"

@@ -3,9 +3,13 @@
 A reader without sight, network or JavaScript gets what these properties promise and nothing else does.
 """
 
+import re
+import time
+from collections.abc import Callable
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 from urllib.parse import unquote
 
 import pytest
@@ -15,11 +19,22 @@ from rkverify.errors import BadInput
 from rkverify.ledger.entries import entries
 from rkverify.ledger.states import states
 from rkverify.paths import checkout
-from rkverify.report import content, stability
+from rkverify.readings import (
+    CELL_MEASURES,
+    CONVECTIONS,
+    DERIVATIVES,
+    HALF_POINTS,
+    NODAL_INTEGRATIONS,
+    STRESS_LAWS,
+)
+from rkverify.report import choices, content, front, sections, site
+from rkverify.report.formulas import data, formulas, notes
 from rkverify.workflow.discovery import study_names
 
-STUDIES = study_names(checkout())
-PAGES = ["index", "ledger", "stability", *STUDIES]
+Read = Callable[[str | Path], Any]
+"""What `conftest.read` gives."""
+STUDIES = [name for name in study_names(checkout()) if (checkout().results / name).is_dir()]
+PAGES = [*site.menu(), *STUDIES]
 
 
 def soup(pages: Path, name: str) -> BeautifulSoup:
@@ -27,70 +42,150 @@ def soup(pages: Path, name: str) -> BeautifulSoup:
 
 
 def test_every_study_has_a_page_and_nothing_else_is_built(pages: Path) -> None:
-    assert sorted(p.name for p in pages.iterdir()) == sorted([*(f"{name}.html" for name in PAGES), "style.css"])
+    expected = sorted([*(f"{name}.html" for name in PAGES), *site.ASSETS])
+    assert sorted(p.name for p in pages.iterdir()) == expected
+
+
+def test_every_study_is_on_one_page_on_a_subject_and_every_name_there_is_a_study() -> None:
+    """A study that no page shows is work that nobody sees; a name that no study has is a hole."""
+    plans, known = sections.plans(), study_names(checkout())
+    for name in known:
+        assert len(sections.pages_of(name, plans)) == 1, f"{name}: put it on one page of rkverify/report/pages"
+    for title, plan in plans.items():
+        for pattern in plan["studies"]:
+            assert any(sections.pages_of(name, {title: {"studies": [pattern]}}) for name in known), pattern
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_every_link_leads_somewhere_and_none_to_the_network(pages: Path, name: str) -> None:
-    page = soup(pages, name)
-    for tag, attribute in (("a", "href"), ("img", "src"), ("link", "href"), ("script", "src")):
-        for element in page.find_all(tag):
-            target = element.get(attribute)
-            if target == "data:,":  # an empty icon, so that no browser asks for one
-                continue
-            assert "//" not in target, target
-            file, _, fragment = target.partition("#")
-            path = (pages / unquote(file)).resolve() if file else pages / f"{name}.html"
-            assert path.is_file(), target
-            if fragment:
-                assert BeautifulSoup(path.read_text(encoding="utf-8"), "html.parser").find(id=fragment), target
+def test_every_link_leads_somewhere_and_none_to_the_network(pages: Path, read: Read, name: str) -> None:
+    for target in sorted(set(read(name).links)):
+        if target == "data:,":  # an empty icon, so that no browser asks for one
+            continue
+        assert "//" not in target, target
+        file, _, fragment = target.partition("#")
+        path = (pages / unquote(file)).resolve() if file else pages / f"{name}.html"
+        assert path.is_file(), target
+        if fragment:
+            assert fragment in read(path).ids, target
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_images_say_what_they_show_and_headings_are_in_order(pages: Path, name: str) -> None:
-    page = soup(pages, name)
-    for image in page.find_all("img"):
-        assert len(image["alt"].split()) > 8
-    levels = [int(heading.name[1]) for heading in page.find_all(["h1", "h2", "h3", "h4"])]
-    assert levels[0] == 1
-    assert levels.count(1) == 1
-    assert all(later <= earlier + 1 for earlier, later in pairwise(levels))
-    assert page.html["lang"] == "en"
-    ids = [element["id"] for element in page.find_all(id=True)]
-    assert len(ids) == len(set(ids))
+def test_images_say_what_they_show_and_headings_are_in_order(pages: Path, read: Read, name: str) -> None:
+    found = read(name)
+    assert all(alt and len(alt.split()) > 8 for alt in found.images)
+    assert found.headings[0] == 1
+    assert found.headings.count(1) == 1
+    assert all(later <= earlier + 1 for earlier, later in pairwise(found.headings))
+    assert found.language == "en"
+    assert len(found.ids) == len(set(found.ids))
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_the_foot_names_commit_versions_processor_command_and_time(pages: Path, read: Read, name: str) -> None:
+    assert re.search(
+        r"Page built \d{4}-\d\d-\d\d \d\d:\d\d UTC by rkverify.* at commit \w+.*; Python 3.*numpy .*cores",
+        read(name).text,
+    )
+
+
+@pytest.mark.parametrize("letter", ["E", "C", "F"])
+def test_every_entry_has_a_card_with_its_computed_state(pages: Path, letter: str) -> None:
+    found = soup(pages, content.PARTS[letter])
+    computed = states(checkout().results)
+    for name in entries():
+        if name.startswith(letter):
+            assert found.find(id=name).find(class_="state").get_text() == computed[name].name
+
+
+def test_from_a_claim_to_data_and_code_in_two_clicks(pages: Path, read: Read) -> None:
+    """One click leads to the card; on it stand tables and the code of every study that speaks of the claim."""
+    inside, computed = read("claims").inside, states(checkout().results)
+    for name in entries():
+        if name.startswith("C") and computed[name].evidence:
+            for study in {e.study for e in computed[name].evidence}:
+                assert any(f"/{study}/" in link and link.endswith(".csv") for link in inside[name]), (name, study)
+                assert any(link.endswith(f"studies/{study}.py") for link in inside[name]), (name, study)
+
+
+def test_every_equation_is_shown_with_the_code_that_is_it(pages: Path) -> None:
+    assert sorted(formulas()) == list(range(1, 88))
+    found = soup(pages, "equations")
+    for number in formulas():
+        card = found.find(id=f"E{number}")
+        assert card.find("math") is not None
+        assert card.find("math").find("merror") is None
+        assert any("rkverify/paper/" in a["href"] for a in card.find_all("a"))
+    assert "\\" not in "".join(formulas().values())
+    assert {*notes("scan"), *notes("reading")} <= set(formulas())
 
 
 @pytest.mark.parametrize("name", [s for s in STUDIES if s.startswith("figure")])
-def test_a_figure_page_has_figure_formula_statement_data_and_code(pages: Path, name: str) -> None:
-    page = soup(pages, name)
-    assert page.find("figure").find("img")["src"].endswith(f"{name}.svg")
-    assert page.find("math") is not None
-    assert page.find(class_="statement") is not None
-    assert any(a["href"].endswith(".csv") for a in page.find_all("a"))
-    assert any(a["href"].endswith(f"studies/{name}.py") for a in page.find_all("a"))
+def test_a_figure_has_ours_verdict_parameters_data_and_code(pages: Path, name: str) -> None:
+    card = soup(pages, "figures").find(id=f"F{name.removeprefix('figure')}")
+    assert card.find("img")["src"].endswith(f"{name}.svg")
+    assert card.find(class_="said") is not None
+    assert any(a["href"].endswith(".csv") for a in card.find_all("a"))
+    assert any(a["href"].endswith(f"studies/{name}.py") for a in card.find_all("a"))
+    assert "every other value is ours" in card.get_text()
 
 
-def test_the_ledger_page_shows_the_computed_state_of_every_entry(pages: Path) -> None:
-    page = soup(pages, "ledger")
-    computed = states(checkout().results)
-    for name in entries():
-        row = page.find("tr", id=name)
-        assert row.find(class_="state").get_text() == computed[name].name
+def test_the_readings_are_those_of_the_library_both_ways() -> None:
+    """A reading that the page does not explain, or one that it invents, misleads."""
+    known = {
+        "derivative": DERIVATIVES,
+        "half_point": HALF_POINTS,
+        "convection": CONVECTIONS,
+        "stress_law": STRESS_LAWS,
+        "cell_measure": CELL_MEASURES,
+        "integration": NODAL_INTEGRATIONS,
+    }
+    shown = {raw["name"]: tuple(raw["options"]) for raw in data("readings.toml")["choice"]}
+    assert {name: set(options) for name, options in known.items() if name in shown} == {
+        name: set(options) for name, options in shown.items() if name in known
+    }
+    assert set(known) <= set(shown)
+    found = {choice.name: choice for choice in choices.choices(checkout(), content.gather(checkout()))}
+    assert found["derivative"].default == "full"
+    assert found["convection"].default == "psi-star"
 
 
-def test_the_stability_page_names_what_studies_have_and_nothing_else(
-    pages: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """A figure, table or statement that vanished from a study must not vanish from the page in silence; a quick run may lack it."""
+def test_a_page_names_what_studies_have_and_nothing_else() -> None:
+    """A figure, table or statement that vanished from a study must not vanish from a page in silence; a quick run may lack it."""
     place = checkout()
-    site = content.gather(place)
-    shown = sum(len(part["figures"]) + len(part["statements"]) for part in stability.plan()["section"])
-    found = stability.sections(place, site)
-    assert sum(len(part.figures) + len(part.statements) for part in found) == shown
-    plan = stability.plan()
-    plan["section"][0]["statements"].append("derivation/no_such_statement")
-    monkeypatch.setattr(stability, "plan", lambda: plan)
-    with pytest.raises(BadInput, match="no_such_statement"):
-        stability.sections(place, site)
-    lacking = stability.sections(replace(place, state=place.quick().state), site)
-    assert sum(len(part.figures) + len(part.statements) for part in lacking) == shown
+    gathered = content.gather(place)
+    plan: dict[str, Any] = {"studies": [], "section": [{"title": "", "text": "", "command": ""}]}
+    plan["section"][0]["statements"] = ["derivation/dni", "derivation/scni_edge_*"]
+    assert len(sections.sections(place, gathered, plan)[0].statements) == 3
+    for kind in ("figures", "tables", "statements"):
+        plan["section"][0] = {"title": "", "text": "", "command": "", kind: ["derivation/no_such"]}
+        with pytest.raises(BadInput, match="no_such"):
+            sections.sections(place, gathered, plan)
+        lacking = sections.sections(replace(place, state=place.quick().state), gathered, plan)
+        assert lacking[0].statements == lacking[0].figures == lacking[0].tables == []
+
+
+def test_a_study_of_a_page_that_no_section_shows_is_shown_whole() -> None:
+    gathered = content.gather(checkout())
+    shown = sections.sections(checkout(), gathered, {"studies": ["derivation"]})
+    assert [part.study for part in shown] == ["derivation"]
+    assert len(shown[0].statements) + len(shown[0].more) == len(gathered.studies["derivation"].statements)
+
+
+def test_the_picture_counts_every_entry_once_and_says_so_in_words(pages: Path) -> None:
+    gathered = content.gather(checkout())
+    bars = front.picture(gathered)
+    assert sum(part.count for bar in bars for part in bar.parts) == len(entries())
+    for bar in bars:
+        assert bar.total == sum(part.count for part in bar.parts)
+        assert f"{bar.total} in the state '{bar.state}'" in front.in_words(bars)
+    assert front.in_words(bars) in soup(pages, "index").find("svg").get_text()
+
+
+def test_the_site_is_small_and_quickly_built(pages: Path, read: Read) -> None:
+    """15 MB of pages and figures, so that a browser has them at once; 20 s, so that they are built often."""
+    shown = {(pages / unquote(link)).resolve() for name in PAGES for link in read(name).links if link.endswith(".svg")}
+    size = sum(path.stat().st_size for path in [*pages.iterdir(), *shown])
+    assert size < 15e6, f"the site has {size / 1e6:.1f} MB"
+    start = time.perf_counter()
+    site.build(replace(checkout(), pages=pages.parent / "again"))
+    assert time.perf_counter() - start < 20
