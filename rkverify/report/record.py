@@ -1,5 +1,6 @@
 """The pages Reproduce and Certificates: environment, times, manifest, tolerances with their reasons, controls."""
 
+import os
 import re
 from dataclasses import dataclass
 from typing import Any
@@ -77,4 +78,5 @@ def sources(place: Checkout) -> dict[str, str]:
     """Links to files of the checkout that the pages name."""
     names = ("requirements.lock", "Makefile", "README.md", "CITATION.cff", "LICENSE", "CONTRIBUTING.md", "CHANGELOG.md")
     found = {slug(name): relative(place, name) for name in names}
-    return {**found, "manifest": relative(place, *place.manifest.relative_to(place.root).parts)}
+    listed = {"manifest": os.path.relpath(place.manifest, place.pages).replace(os.sep, "/")}
+    return {**found, **(listed if place.manifest.is_file() else {})}
