@@ -129,6 +129,17 @@ COMMANDS = (
         _later("recheck", "recheck"),
     ),
     Command(
+        "reference",
+        "reference values with certified digits",
+        "Numbers against which a code can be checked: kernels, shape functions and derivatives, material rates, smoothed\n"
+        "gradients, masses and forces, dispersion; 30 digits, right to one unit of the last. With --json the exact inputs\n"
+        "come as well. Without a family: the families and how many values they have (15 s). docs/reference_values.md has\n"
+        "the format.",
+        "  rkverify reference shape --json --out shape.json",
+        options.reference,
+        _later("reference", "reference"),
+    ),
+    Command(
         "ledger",
         "the state of every equation, figure and claim",
         "States of all 170 entries computed from the studies' statements, or one entry with its evidence.\n"

@@ -202,6 +202,14 @@ def recheck(parser: ArgumentParser) -> None:
     parser.add_argument("--quiet", action="store_true", help="the last line alone")
 
 
+def reference(parser: ArgumentParser) -> None:
+    """Add the options of `rkverify reference`."""
+    parser.add_argument(
+        "family", nargs="?", metavar="FAMILY", help="kernels, shape, rates, gradients, equations or dispersion"
+    )
+    output(parser)
+
+
 def ledger(parser: ArgumentParser) -> None:
     """Add the options of `rkverify ledger`."""
     parser.add_argument("entry", nargs="?", metavar="ID", help="an equation E1-E87, figure F1-F8 or claim C1-C75")
