@@ -170,6 +170,10 @@ def _long(p: Parameters, tables: Tables) -> dict[tuple[str, str, str], Any]:
     return {(row["formulation"], row["integration"], row["convection"]): row for row in rows}
 
 
+def _listed(values: Sequence[float]) -> str:
+    return ", ".join(f"{v:.2g}" for v in values)
+
+
 def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
     """What is kept, by which equation, and why the rest is not."""
     kept, frame, rates = _long(p, tables), tables["drifts"].frame, tables["rates"].frame
@@ -197,12 +201,11 @@ def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
     stress = float(tables["turned"].frame["stress"].iloc[0])
     tried = f"a free block of {(p.divisions + 1) ** 2} jittered nodes, {p.steps} steps"
     at_once = "one moment of a turning, vibrating, unevenly stressed block, SCNI, DNI and SNNI"
-    listed = lambda values: ", ".join(f"{v:.2g}" for v in values)  # noqa: E731
     return [
         Statement(
             "lagrangian",
             (),
-            f"The Lagrangian block keeps momentum and angular momentum to rounding and its energy to {reference['energy']:.1e}; with half the step the largest change of the energy falls by {listed(falls)}: it is the second-order error of central differences and no drift.",
+            f"The Lagrangian block keeps momentum and angular momentum to rounding and its energy to {reference['energy']:.1e}; with half the step the largest change of the energy falls by {_listed(falls)}: it is the second-order error of central differences and no drift.",
             reference["momentum"] < ROUNDING and reference["angular"] < ROUNDING and all(3 < f < 5.5 for f in falls),
             tried,
             "sampled",
@@ -222,7 +225,7 @@ def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
         Statement(
             "step",
             (),
-            f"With the true rate the momentum's drift over the same time falls by {listed(true_falls)} with half the step: N takes velocities half a step old. Without N it falls by {listed(none_falls)} only: that drift belongs to the equations.",
+            f"With the true rate the momentum's drift over the same time falls by {_listed(true_falls)} with half the step: N takes velocities half a step old. Without N it falls by {_listed(none_falls)} only: that drift belongs to the equations.",
             all(f > 1.5 for f in true_falls) and all(f < 1.5 for f in none_falls),
             tried,
             "sampled",

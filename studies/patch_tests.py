@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from rkverify.certify.mechanics import patch
 from rkverify.certify.mechanics.specimens import KINDS, l_with_hole
+from rkverify.readings import NodalIntegration
 from rkverify.workflow.compare import Numeric
 from rkverify.workflow.study import Drawing, Statement, Study, Tables, table
 from rkverify.workflow.style import LINES, new_figure
@@ -58,8 +59,9 @@ def compute(p: Parameters) -> Tables:
     return {"errors": table(passed, columns, "Patch tests.", Numeric(1e-6, 10 * PASSED, why))}
 
 
-def _integrations(p: Parameters) -> list[tuple[patch.NodalIntegration, str]]:
-    return [*(("scni", rule) for rule in p.rules), ("dni", p.rules[0]), ("snni", p.rules[0])]  # type: ignore[list-item]
+def _integrations(p: Parameters) -> list[tuple[NodalIntegration, str]]:
+    smoothed: list[tuple[NodalIntegration, str]] = [("scni", rule) for rule in p.rules]
+    return [*smoothed, ("dni", p.rules[0]), ("snni", p.rules[0])]
 
 
 def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:

@@ -11,7 +11,8 @@ import numpy as np
 import scipy.sparse as sp
 from scipy.sparse.linalg import spsolve
 
-from rkverify.certify.mechanics.long_motion import MODULI, Block, reference_body
+from rkverify.certify.mechanics.long_motion import Block, reference_body
+from rkverify.certify.mechanics.patch import MODULI
 from rkverify.readings import CONVECTIONS, MASSES, Convection, Mass, NodalIntegration
 from rkverify.solid.kernel_values import Array
 from rkverify.solid.materials.truesdell import Truesdell
@@ -42,8 +43,8 @@ def _mass(matter: Matter, motion: Motion, reading: Mass) -> _Mass:
     rate.data = true_rate(cloud, motion.x, motion.v, motion.v, near)
     m = sp.diags_array(matter.masses)
     if reading == "lumped":
-        row_sums = (sp.csr_array(sp.diags_array(part.T @ matter.masses)) for part in (Psi, rate))
-        return _Mass(*row_sums, Psi)
+        now, change = (sp.csr_array(sp.diags_array(part.T @ matter.masses)) for part in (Psi, rate))
+        return _Mass(now, change, Psi)
     return _Mass(sp.csr_array(Psi.T @ m @ Psi), sp.csr_array(rate.T @ m @ Psi + Psi.T @ m @ rate), Psi)
 
 
