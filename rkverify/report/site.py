@@ -115,6 +115,7 @@ def build(place: Checkout) -> Path:
         entry_href=content.entry_href,
         foot=content.build_foot(place, datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC")),
         run_foot="",
+        notebooks=(place.pages / "notebooks" / "index.html").is_file(),
     )
     for name, shown in pages(place, site).items():
         template = environment.get_template(f"{shown.get('template', name)}.html.j2")

@@ -20,12 +20,16 @@ from rkverify.ledger.entries import entries
 from rkverify.ledger.states import states
 from rkverify.paths import checkout
 from rkverify.readings import (
+    CELL_EDGES,
     CELL_MEASURES,
     CONVECTIONS,
     DERIVATIVES,
     HALF_POINTS,
+    MASSES,
     NODAL_INTEGRATIONS,
+    NODE_MOTIONS,
     STRESS_LAWS,
+    SUPPORT_RADII,
 )
 from rkverify.report import choices, content, front, sections, site
 from rkverify.report.formulas import data, formulas, notes
@@ -44,6 +48,10 @@ def soup(pages: Path, name: str) -> BeautifulSoup:
 def test_every_study_has_a_page_and_nothing_else_is_built(pages: Path) -> None:
     expected = sorted([*(f"{name}.html" for name in PAGES), *site.ASSETS])
     assert sorted(p.name for p in pages.iterdir()) == expected
+
+
+def test_no_study_has_the_name_of_another_page() -> None:
+    assert not set(study_names(checkout())) & set(site.menu())
 
 
 def test_every_study_is_on_one_page_on_a_subject_and_every_name_there_is_a_study() -> None:
@@ -138,12 +146,15 @@ def test_the_readings_are_those_of_the_library_both_ways() -> None:
         "stress_law": STRESS_LAWS,
         "cell_measure": CELL_MEASURES,
         "integration": NODAL_INTEGRATIONS,
+        "node_motion": NODE_MOTIONS,
+        "cell_edges": CELL_EDGES,
+        "support_radius": SUPPORT_RADII,
+        "mass": MASSES,
     }
     shown = {raw["name"]: tuple(raw["options"]) for raw in data("readings.toml")["choice"]}
-    assert {name: set(options) for name, options in known.items() if name in shown} == {
-        name: set(options) for name, options in shown.items() if name in known
+    assert {name: set(options) for name, options in known.items()} == {
+        name: set(options) for name, options in shown.items()
     }
-    assert set(known) <= set(shown)
     found = {choice.name: choice for choice in choices.choices(checkout(), content.gather(checkout()))}
     assert found["derivative"].default == "full"
     assert found["convection"].default == "psi-star"
