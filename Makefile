@@ -55,10 +55,10 @@ lock: install ## write requirements.lock anew from pyproject.toml, for maintaine
 	  --python-version 3.11 --generate-hashes --no-emit-index-url --no-annotate --no-header --quiet \
 	  --output-file benchmarks/$$name.lock; done
 
-notebooks: install ## execute the notebooks into reports/notebooks (20 s)
-	$(BIN)/python -m rkverify run
-	$(BIN)/python -m nbconvert --execute --to notebook --output-dir reports/notebooks \
-	  --ExecutePreprocessor.record_timing=False --log-level WARN notebooks/*.ipynb
+notebooks: install ## execute the notebooks into reports/notebooks, beside the pages that they link to (30 s)
+	$(RUN) run
+	$(RUN) report
+	$(BIN)/python -m rkverify.report.notebooks
 
 report: install ## build reports/index.html from finished studies (1 s)
 	$(RUN) report

@@ -1,9 +1,10 @@
 """Executing the notebooks into reports/notebooks: `python -m rkverify.report.notebooks [NAME …]`.
 
-Each is run by nbconvert in a process of its own and written twice: as a notebook with its outputs and as a page. Run twice
+Each is run as nbconvert runs it, in a process of its own, and written twice: as a notebook with its outputs and as a page. Run twice
 they are the same: cells keep their ids, times are not recorded, figures are the same for the same data.
 """
 
+import asyncio
 import json
 import os
 import sys
@@ -54,16 +55,21 @@ def execute(path: Path) -> Any:
     Raises BadInput, in one line, where a cell fails or writes to standard error.
     """
     import nbformat
-    from nbconvert.preprocessors import CellExecutionError, ExecutePreprocessor
+    from nbclient import NotebookClient
+    from nbclient.exceptions import CellExecutionError
     from traitlets.config import Config
 
-    notebook = nbformat.read(path, as_version=4)
+    done = nbformat.read(path, as_version=4)
     with TemporaryDirectory(prefix="rkverify-") as folder:
         # Sockets in a folder of our own: no port is opened, and nobody else can listen.
         sockets = Config({"KernelManager": {"transport": "ipc", "ip": f"{folder}/kernel"}})
-        runner = ExecutePreprocessor(timeout=SECONDS, kernel_name="python3", record_timing=False, config=sockets)
+        here = {"metadata": {"path": str(path.parent)}}
+        client = NotebookClient(
+            done, timeout=SECONDS, kernel_name="python3", record_timing=False, resources=here, config=sockets
+        )
         try:
-            done, _ = runner.preprocess(notebook, {"metadata": {"path": str(path.parent)}})
+            with ThreadPoolExecutor(1) as apart:  # a loop of its own, whatever loop runs here
+                apart.submit(lambda: asyncio.run(client.async_execute())).result()
         except CellExecutionError as error:
             raise BadInput(f"{path.name}: {error.ename}: {' '.join(error.evalue.split())}") from None
     for cell in done.cells:
