@@ -5,7 +5,7 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from rkverify.cli import bloch_options, options
+from rkverify.cli import bloch_options, options, own_options
 
 Action = Callable[[Namespace], int]
 
@@ -155,5 +155,15 @@ COMMANDS = (
         "  rkverify report",
         options.report,
         _later("report", "report"),
+    ),
+    Command(
+        "new-study",
+        "begin a study of your own",
+        "Write studies/NAME.py and tests/studies/test_NAME.py, which run at once, add the study to the README's table and,\n"
+        "with --about, to the lists of these entries of the ledger. Nothing that exists is replaced, and where one file\n"
+        "cannot be written none is. Needs a checkout.",
+        "  rkverify new-study my_question --about C43",
+        own_options.new_study,
+        _later("new_study", "new_study"),
     ),
 )
