@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from rkverify.ledger.entries import Entry, transcriptions
-from rkverify.ledger.states import FAILS, HOLDS, OPEN, UNDECIDABLE, Evidence, State
+from rkverify.ledger.states import DEFINITION, FAILS, HOLDS, OPEN, READING, UNDECIDABLE, Evidence, State
 from rkverify.paths import Checkout
 from rkverify.report.content import CSS, GRADES, Site, StudyPage, state_css, statement
 from rkverify.report.formulas import formulas, notes
@@ -58,15 +58,15 @@ class Card:
         return {group.layer: group for group in self.groups if group.layer}
 
     @property
-    def verdicts(self) -> list[tuple[str, str, str]]:
-        """(layers, state, style): layers of the same state together; the state as a whole where the entry knows no layers."""
+    def verdicts(self) -> list[tuple[str, str, str, str]]:
+        """(layers, state, style, readings): layers of one state together; the state as a whole where the entry knows no layers."""
         if len(self.layers) < 2:
-            return [("", self.state, self.css)]
-        words = dict.fromkeys(group.word for group in self.layers.values() if group.word)
-        return [
-            (", ".join(name for name, group in self.layers.items() if group.word == word), word, state_css(word))
-            for word in words
-        ]
+            return [("", self.state, self.css, "" if self.state == DEFINITION else self.detail)]
+        found: dict[tuple[str, str], list[str]] = {}
+        for name, group in self.layers.items():
+            if group.word:
+                found.setdefault((group.word, group.detail if group.word == READING else ""), []).append(name)
+        return [(", ".join(names), word, state_css(word), readings) for (word, readings), names in found.items()]
 
 
 def strongest(evidence: Iterable[Evidence]) -> str:

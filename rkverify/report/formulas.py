@@ -15,9 +15,12 @@ def data(name: str) -> dict[str, Any]:
     return tomllib.loads(files("rkverify.report").joinpath(name).read_text(encoding="utf-8"))
 
 
+NAMED = re.compile(r"<msup><mi>(?:sin|cos)</mi>.*?</msup>|(?<!<msup>)<mi>(?:sin|cos)</mi>")
+
+
 def _mathml(latex: str) -> Markup:
     """The formula, with the thin space after the name of a function that browsers leave out."""
-    return Markup(re.sub(r"(<mi>(?:sin|cos)</mi>)", r'\1<mspace width="0.17em"/>', convert(latex, display="block")))
+    return Markup(NAMED.sub(r'\g<0><mspace width="0.17em"/>', convert(latex, display="block")))
 
 
 @cache

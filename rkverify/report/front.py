@@ -30,7 +30,7 @@ def findings(site: Site, cards: dict[str, Card]) -> list[Finding]:
     for raw in data("front.toml")["finding"]:
         if raw["statement"].partition("/")[0] not in site.missing:
             for said in statements(site, raw["statement"])[:1]:
-                says = DIGITS.sub(lambda m: f"{float(m[0]):.6g}…", said["says"])
+                says = DIGITS.sub(lambda m: f"{float(m[0]):.6g}", said["says"])
                 found.append(Finding(raw["subject"], cards[raw["about"]], {**said, "says": says}))
     return found
 

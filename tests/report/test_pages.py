@@ -11,6 +11,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote
+from xml.etree import ElementTree
 
 import pytest
 from bs4 import BeautifulSoup
@@ -124,6 +125,11 @@ def test_every_equation_is_shown_with_the_code_that_is_it(pages: Path) -> None:
         assert card.find("math").find("merror") is None
         assert any("rkverify/paper/" in a["href"] for a in card.find_all("a"))
     assert "\\" not in "".join(formulas().values())
+    parts = {"msub": 2, "msup": 2, "mfrac": 2, "mover": 2, "munder": 2, "msubsup": 3, "munderover": 3}
+    for mathml in formulas().values():
+        for element in ElementTree.fromstring(mathml).iter():
+            name = element.tag.rpartition("}")[2]
+            assert len(element) == parts.get(name, len(element)), ElementTree.tostring(element)
     assert {*notes("scan"), *notes("reading")} <= set(formulas())
 
 

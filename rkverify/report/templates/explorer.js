@@ -8,7 +8,8 @@
   const RATIOS = Array.from({ length: 31 }, (_, n) => 1.05 + (n * 2.95) / 30);
   const STRESSES = Array.from({ length: 41 }, (_, n) => -2 + n / 10);
   const MAP_WAVES = Array.from({ length: 16 }, (_, n) => ((n + 1) * Math.PI) / 16);
-  const LEVELS = [1e-6, 0.1, 1]; // growth in c/h from which a shade begins
+  // Growth in c/h from which a shade begins: on a base that moves, everything may grow at rates of the order of Q.
+  const levels = (Q) => [1e-6, 3 * Math.abs(Q) + 1e-6, 3 * Math.abs(Q) + 0.5];
   const SHADES = ["#ffffff", "#f4d3b8", "#e08a4c", "#8a3a00"];
   const NUMBERS = ["R", "s", "Q"];
 
@@ -70,8 +71,8 @@
     const where = `R = ${set.R}, sigma/C = ${set.s}, Q = ${set.Q}, ${set.layer}`;
     document.getElementById("explorer-says").textContent = !own
       ? `${where}: the paper prints no Lagrangian relation with DNI.`
-      : fastest[1] > LEVELS[0]
-        ? `${where}: the fastest growth is ${round(fastest[1])} c/h, at kh = ${round(fastest[0])}.`
+      : fastest[1] > levels(set.Q)[0]
+        ? `${where}: the fastest growth is ${round(fastest[1])} c/h, at kh = ${round(fastest[0])}${fastest[1] > levels(set.Q)[1] ? "" : ", not faster than 3|Q|"}.`
         : `${where}: no wave grows.`;
     const shown = set.formulation === "lagrangian" ? `lagrangian-${set.integration}` : `semi-${set.integration}${set.convective ? "" : "-without"}`;
     let any = false;
@@ -99,6 +100,7 @@
     const { R, s, ...rest } = set, key = JSON.stringify(rest);
     if (key !== mapKey) {
       mapKey = key;
+      const shades = levels(set.Q);
       const wide = 550 / (RATIOS.length - 1), tall = 260 / (STRESSES.length - 1), paths = SHADES.map(() => "");
       for (const ratio of RATIOS) {
         const relation = rkverify.relation({ ...rest, R: ratio });
@@ -107,7 +109,7 @@
         for (const stress of STRESSES) {
           let fastest = 0;
           for (const at of waves) fastest = Math.max(fastest, relation.growth(at, stress));
-          const shade = LEVELS.filter((level) => fastest > level).length;
+          const shade = shades.filter((level) => fastest > level).length;
           if (shade) paths[shade] += `M${(mx(ratio) - wide / 2).toFixed(1)} ${(my(stress) - tall / 2).toFixed(1)}h${wide.toFixed(2)}v${tall.toFixed(2)}h${-wide.toFixed(2)}z`;
         }
       }
@@ -118,7 +120,7 @@
     for (const ratio of [1.5, 2, 2.5, 3, 3.5, 4]) out += text(mx(ratio), 308, ratio, 'text-anchor="middle"');
     out += text(345, 308, "", "") + text(600, 22, "R = a/h →", 'text-anchor="end"');
     out += `<path d="M${mx(R) - 9} ${my(s)}h18M${mx(R)} ${my(s) - 9}v18" stroke="#fff" stroke-width="6"/><path d="M${mx(R) - 9} ${my(s)}h18M${mx(R)} ${my(s) - 9}v18" stroke="#000" stroke-width="2.5"/>`;
-    const words = ["no growth", `up to ${LEVELS[1]} c/h`, `up to ${LEVELS[2]} c/h`, "faster"];
+    const words = ["no growth", "up to 3|Q|", "up to 3|Q| + 0.5", "faster"];
     words.forEach((each, n) => { out += `<rect x="${70 + n * 140}" y="318" width="16" height="14" fill="${SHADES[n]}" stroke="#555"/>` + text(92 + n * 140, 330, each); });
     map.innerHTML = out;
   }
