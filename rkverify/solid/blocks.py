@@ -67,21 +67,22 @@ def blocks(cloud: Cloud, x: Array, known: Neighbours, derivatives: int, factoris
     placed = np.column_stack([cloud.positions, cloud.supports]).astype(
         x.dtype, copy=False
     )  # one place in memory for a node
+    common = float(cloud.supports[0]) if (cloud.supports == cloud.supports[0]).all() else 0.0
     spans = list(pairwise(edges))
     most, rows = max(int(starts[last] - starts[first]) for first, last in spans), int(np.diff(edges).max())
-    heights = [d, *[count] * 6, 1 + d + d * (d + 1) // 2]
+    heights = [d, *[count] * 4, 1 + d + d * (d + 1) // 2]
     room = [np.empty(height * most, x.dtype) for height in heights]
-    scale, ratios = np.empty(rows), np.empty(most)
+    scale, supports, ratios = np.empty(rows), np.empty(most), np.empty(most)
     factors, b = np.empty((rows, m * (m + 1) // 2), x.dtype), np.empty((rows, m), x.dtype)
-    data = kernel_data(cloud.kernel).arrays
+    data = kernel_data(cloud.kernel).constants
     offsets, weights_of, moments = offset_stage(d, tensor), weight_stage(d, tensor), moment_stage(d, cloud.order)
     for first, last in spans:
         here = int(starts[last] - starts[first])
-        y, z, f, g, s, left, power, weights = (
+        y, z, f, g, s, weights = (
             memory[: height * here].reshape(height, here) for memory, height in zip(room, heights, strict=True)
         )
-        offsets(starts, nodes, x, placed, first, last, scale, ratios, y, z)
-        kernel_stage(z.ravel(), derivatives, *data, *(part.ravel() for part in (f, g, s, left, power)))
+        offsets(starts, nodes, x, placed, common, first, last, scale, supports, ratios, y, z)
+        kernel_stage(z.ravel(), derivatives, *data, *(part.ravel() for part in (f, g, s)))
         weights_of(derivatives, ratios, y, f, g, s, weights)
         point, fault, number, rest = moments(starts, first, last, y, weights, factorise, factors, b)
         if fault != FINE:

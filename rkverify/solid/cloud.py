@@ -81,8 +81,8 @@ def checked_positions(positions: Any, what: str) -> Array:
         raise BadInput(f"the {what}s are no table of numbers: give each the same number of coordinates") from None
     if x.ndim != 2 or len(x) == 0 or x.shape[1] not in (1, 2, 3):
         raise BadInput(f"the {what}s have shape {x.shape}: give (N, d) with N of at least 1 and d of 1, 2 or 3")
-    bad = np.flatnonzero(~np.isfinite(x).all(axis=1))
-    if len(bad):
+    if not np.isfinite(x).all():
+        bad = np.flatnonzero(~np.isfinite(x).all(axis=1))
         raise BadInput(f"{what} {bad[0]} is at ({shown(x[bad[0]])}): every coordinate must be finite")
     return x
 

@@ -59,12 +59,13 @@ def moment_stage(d: int, n: int) -> Callable[..., tuple[int, int, int, float]]:
         total = carray(stack_memory(y, sums), sums)
         term = carray(stack_memory(y, sums), sums)
         M = carray(stack_memory(y, packed), packed)
-        origin = starts[first]
-        for p in range(first, last):
-            row, covering = p - first, 0
+        first_row, origin = np.uintp(first), np.uintp(starts[first])
+        for p in range(first_row, np.uintp(last)):
+            row, covering = p - first_row, 0
+            begin, end = np.uintp(starts[p]) - origin, np.uintp(starts[p + np.uintp(1)]) - origin
             for c in range(sums):
                 total[c] = 0.0
-            for e in range(starts[p] - origin, starts[p + 1] - origin):
+            for e in range(begin, end):
                 term[0] = weights[0, e]
                 total[0] += term[0]
                 covering += term[0].real > 0
@@ -72,7 +73,7 @@ def moment_stage(d: int, n: int) -> Callable[..., tuple[int, int, int, float]]:
                     term[c] = term[parents[c]] * y[axes[c], e]
                     total[c] += term[c]
             if covering < m:
-                return p, FEW, covering, 0.0
+                return int(np.intp(p)), FEW, covering, 0.0
             for i in range(m):
                 for j in range(i + 1):
                     M[i * (i + 1) // 2 + j] = total[products[i, j]]
@@ -82,7 +83,7 @@ def moment_stage(d: int, n: int) -> Callable[..., tuple[int, int, int, float]]:
                 continue
             # What rounding can leave of a pivot: each entry is a sum over the nodes, each elimination adds as much again,
             # and an earlier pivot that kept little of its diagonal entry makes its share of this one that much less certain.
-            rounding = m * (starts[p + 1] - starts[p] + m) * 2.220446049250313e-16
+            rounding = m * (np.intp(end - begin) + m) * 2.220446049250313e-16
             least = 1.0
             for j in range(m):
                 jj = j * (j + 1) // 2
@@ -91,7 +92,7 @@ def moment_stage(d: int, n: int) -> Callable[..., tuple[int, int, int, float]]:
                     pivot -= M[jj + k] * M[jj + k] * term[k]
                 kept = pivot.real / M[jj + j].real
                 if not kept * least > rounding:
-                    return p, SINGULAR, j, kept
+                    return int(np.intp(p)), SINGULAR, j, kept
                 least = min(least, kept)
                 term[j] = pivot
                 M[jj + j] = 1.0 / pivot
@@ -133,10 +134,10 @@ def derivative_stage(d: int, n: int) -> Callable[..., None]:
         H, b = carray(stack_memory(y, m), m), carray(stack_memory(y, m), m)
         c, cH = carray(stack_memory(y, dm), dm), carray(stack_memory(y, d), d)
         e2 = carray(stack_memory(y, ddm), ddm)
-        origin, solves = starts[first], reading in (FULL, DIFFUSE)
+        first_row, origin, solves = np.uintp(first), np.uintp(starts[first]), reading in (FULL, DIFFUSE)
         H[0] = 1.0
-        for p in range(first, last):
-            row, begin, end = p - first, starts[p] - origin, starts[p + 1] - origin
+        for p in range(first_row, np.uintp(last)):
+            row, begin, end = p - first_row, np.uintp(starts[p]) - origin, np.uintp(starts[p + np.uintp(1)]) - origin
             for i in range(m):
                 b[i] = b_of[row, i]
             if derivatives >= 1:

@@ -6,52 +6,58 @@ from functools import cache
 import numpy as np
 
 from rkverify.solid.bases import axis_pairs
-from rkverify.solid.compiling import compiled
+from rkverify.solid.compiling import carray, compiled, stack_memory
+from rkverify.solid.kernel_data import Coefficients
 from rkverify.solid.kernel_values import Array
 
 
 def _kernel(
-    z: Array, derivatives: int, ends: Array, coefficients: Array, powers: Array, near: float, g_near: Array, zs_near: Array,
-    f: Array, g: Array, s: Array, left: Array, power: Array,
+    z: Array, derivatives: int, ends: Coefficients, pieces: tuple[Coefficients, ...], near: float, g_near: Coefficients,
+    zs_near: Coefficients, f: Array, g: Array, s: Array,
 ) -> None:  # fmt: skip
-    """phi(z), g = phi'/z and s = (phi'' - g)/z^2 into f, g, s; left and power are room to work in."""
+    """phi(z), g = phi'/z and s = (phi'' - g)/z^2 into f, g, s, the latter two where derivatives of 1 and 2 are asked for.
+
+    The lengths of tuples are part of their types: the short loops unroll, and the long ones take several z at once.
+    """
+    if derivatives == 0:
+        for e in range(len(z)):
+            value = 0.0 * z[e]
+            for t in range(len(ends)):
+                inside = z[e].real < ends[t]
+                left, phi = ends[t] - z[e], 0.0 * z[e]
+                for k in range(len(pieces[t])):
+                    phi = phi * left + pieces[t][k]
+                value += phi if inside else 0.0 * phi
+            f[e] = value
+        return
     for e in range(len(z)):
-        f[e] = 0.0
-        g[e] = 0.0
-        s[e] = 0.0
-    for t in range(len(ends)):
-        b, p = ends[t], powers[t]
-        for e in range(len(z)):
-            inside = z[e].real < b
-            left[e] = b - z[e] if inside else 0.0
-            power[e] = coefficients[t] if inside else 0.0
-        for k in range(p):
-            if derivatives >= 2 and k == p - 2:
-                for e in range(len(z)):
-                    s[e] += p * (p - 1) * power[e]
-            if derivatives >= 1 and k == p - 1:
-                for e in range(len(z)):
-                    g[e] -= p * power[e]
-            for e in range(len(z)):
-                power[e] *= left[e]
-        for e in range(len(z)):
-            f[e] += power[e]
-    for e in range(len(z)):
-        over = z[e] if z[e].real >= near and z[e].real > 0.0 else 1.0 + 0.0 * z[e]
-        g[e] /= over
-        s[e] = (s[e] - g[e]) / (over * over)
-    if derivatives >= 1:
-        for e in range(len(z)):
-            if z[e].real < near or z[e].real == 0.0:
-                y = z[e]
-                total = 0.0 * y
-                for k in range(len(g_near)):
-                    total = total * y + g_near[len(g_near) - 1 - k]
-                g[e] = total
-                total = 0.0 * y
-                for k in range(len(zs_near)):
-                    total = total * y + zs_near[len(zs_near) - 1 - k]
-                s[e] = total / y if y != 0.0 else 0.0 * y
+        y = z[e]
+        value, slope, curve = 0.0 * y, 0.0 * y, 0.0 * y
+        for t in range(len(ends)):
+            inside = y.real < ends[t]
+            left, phi, first, second = ends[t] - y, 0.0 * y, 0.0 * y, 0.0 * y
+            for k in range(len(pieces[t])):
+                if derivatives >= 2:
+                    second = second * left + first
+                first = first * left + phi
+                phi = phi * left + pieces[t][k]
+            value += phi if inside else 0.0 * phi
+            slope -= first if inside else 0.0 * phi
+            curve += 2.0 * second if inside else 0.0 * phi
+        beside = y.real < near or y.real == 0.0
+        series = 0.0 * y
+        for k in range(len(g_near)):
+            series = series * y + g_near[k]
+        over = 1.0 + 0.0 * y if beside else y
+        of_g = (series if beside else slope) / over
+        f[e], g[e] = value, of_g
+        if derivatives >= 2:
+            series = 0.0 * y
+            for k in range(len(zs_near)):
+                series = series * y + zs_near[k]
+            over = (1.0 + 0.0 * y if y == 0.0 else y) if beside else y * y
+            rest = (0.0 * y if y == 0.0 else series) if beside else curve - of_g
+            s[e] = rest / over
 
 
 kernel_stage = compiled(_kernel)
@@ -61,39 +67,50 @@ kernel_stage = compiled(_kernel)
 def offset_stage(d: int, tensor: bool) -> Callable[..., None]:
     """Offsets y of a block's entries over a = max a_J of their row (`scale`), z = |y|/a_J, one or d of them, and (a/a_J)^2.
 
-    placed (N, d + 1): the nodes' positions and supports.
+    placed (N, d + 1): the nodes' positions and supports. common: the support of all nodes, 0 where they have their own.
     """
 
     def offsets(
-        starts: Array, nodes: Array, points: Array, placed: Array, first: int, last: int,
-        scale: Array, ratios: Array, y: Array, z: Array,
+        starts: Array, nodes: Array, points: Array, placed: Array, common: float, first: int, last: int,
+        scale: Array, supports: Array, ratios: Array, y: Array, z: Array,
     ) -> None:  # fmt: skip
-        origin = starts[first]
+        x = carray(stack_memory(y, d), d)
+        origin = np.uintp(starts[first])
         for p in range(first, last):
-            a = 0.0
-            for e in range(starts[p], starts[p + 1]):
-                a = max(a, placed[nodes[e], d].real)
+            begin, end = np.uintp(starts[p]), np.uintp(starts[p + 1])
+            a = common
+            if common == 0.0:
+                for e in range(begin, end):
+                    support = placed[np.uintp(nodes[e]), d].real
+                    if support > a:
+                        a = support
             scale[p - first] = a
             per_a = 1.0 / a if a > 0.0 else 0.0
-            for e in range(starts[p], starts[p + 1]):
-                J, i = nodes[e], e - origin
-                support = placed[J, d].real
-                ratios[i] = (a / support) * (a / support)
-                if tensor:
-                    for k in range(d):
-                        offset = points[p, k] - placed[J, k]
-                        y[k, i] = offset * per_a
-                        z[k, i] = (-offset if offset.real < 0 else offset) / support
-                else:
-                    offset = points[p, 0] - placed[J, 0]
-                    y[0, i] = offset * per_a
-                    square, nonzero = offset * offset, offset.real != 0
-                    for k in range(1, d):
-                        offset = points[p, k] - placed[J, k]
-                        y[k, i] = offset * per_a
-                        square += offset * offset
-                        nonzero |= offset.real != 0
-                    z[0, i] = np.sqrt(square) / support if nonzero else 0.0
+            for k in range(d):
+                x[k] = points[p, k]
+            for e in range(begin, end):
+                J, i = np.uintp(nodes[e]), e - origin
+                support, square = placed[J, d].real, 0.0 * x[0]
+                supports[i] = support
+                ratios[i] = 1.0 if support == a else (a / support) * (a / support)
+                for k in range(d):
+                    offset = x[k] - placed[J, k]
+                    y[k, i] = offset * per_a
+                    square += offset * offset
+                    if tensor:
+                        z[k, i] = -offset if offset.real < 0 else offset
+                if not tensor:
+                    z[0, i] = square
+        # division and root wait, so that several are done at once
+        for k in range(len(z)):
+            for entry in range(z.shape[1]):
+                length = z[k, entry]
+                if not tensor:
+                    nonzero = y[0, entry].real != 0
+                    for l in range(1, d):
+                        nonzero |= y[l, entry].real != 0
+                    length = np.sqrt(length) if nonzero else 0.0 * length
+                z[k, entry] = length / supports[entry]
 
     return compiled(offsets)
 

@@ -4,6 +4,8 @@ What a factory's arguments fix are constants of the compiled code: its short loo
 registers. Compiled functions run for doubles and for complex doubles, and decide on real parts. The cache on disk looks
 at the file of a function and at what its factory fixed, not at other files: a compiled function calls none of another file
 but the ones here. With NUMBA_DISABLE_JIT=1 the same lines are run by Python, as mutation tests do.
+Long loops count in unsigned numbers (np.uintp): a signed index may be negative, and to look whether each one is costs as
+much as the arithmetic.
 """
 
 from collections.abc import Callable
