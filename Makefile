@@ -28,6 +28,7 @@ install: .venv/installed ## create .venv from requirements.lock (2 min)
 reproduce: install ## compute every table and figure and build the report (3 min; 2 s if nothing changed)
 	$(RUN) run
 	$(RUN) report
+	$(RUN) export --ro-crate
 
 smoke: install ## reproduce in a quick form, under .rkverify/quick (40 s)
 	$(RUN) run --quick
@@ -60,8 +61,9 @@ notebooks: install ## execute the notebooks into reports/notebooks, beside the p
 	$(RUN) report
 	$(BIN)/python -m rkverify.report.notebooks
 
-report: install ## build reports/index.html from finished studies (1 s)
+report: install ## build reports/index.html and its metadata from finished studies (2 s)
 	$(RUN) report
+	$(RUN) export --ro-crate
 
 bench: install ## measure the arithmetics, shape functions beside pycompadre, kinematic updates and steps into reports/benchmarks (5 min)
 	$(BIN)/python benchmarks/arithmetics.py
@@ -80,5 +82,5 @@ peers: .venv-peers/installed ## build the packages we compare with and compute t
 	touch $@
 
 clean: ## remove .venv, caches and built pages; committed results stay (1 s)
-	rm -rf .venv .rkverify .mypy_cache .ruff_cache .import_linter_cache .hypothesis reports/*.html reports/*.js reports/style.css \
+	rm -rf .venv .rkverify .mypy_cache .ruff_cache .import_linter_cache .hypothesis reports/*.html reports/*.js reports/*.css reports/ro-crate-metadata.json \
 	  reports/notebooks reports/benchmarks

@@ -166,4 +166,14 @@ COMMANDS = (
         own_options.new_study,
         _later("new_study", "new_study"),
     ),
+    Command(
+        "export",
+        "results for a paper, metadata for an archive",
+        "--latex: tables of the studies as tabulars, states of all entries and every statement with its numbers as macros,\n"
+        "such as \\rkvCfortythreeState, and an example that uses all of them. --ro-crate: ro-crate-metadata.json, which tells\n"
+        "an archive what each file under reports is and how it was made (Process Run Crate). Needs a checkout.",
+        "  rkverify export --latex turns stability_layers --out paper/rkverify",
+        own_options.export,
+        _later("export", "export"),
+    ),
 )
