@@ -5,7 +5,6 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from scipy.spatial import cKDTree
 
 from rkverify.errors import BadInput, CoincidentNodes
 from rkverify.kernels import Kernel
@@ -99,11 +98,3 @@ def refuse_coincident(x: Array) -> None:
 def shown(place: Sequence[Any] | Array) -> str:
     """Coordinates as a person would write them, the real part of complex ones."""
     return ", ".join(f"{np.real(c):.12g}" for c in place)
-
-
-def nearest_distances(x: Array) -> Array:
-    """The distance of every node (N, d) to its nearest neighbour (N,); infinite for a node alone."""
-    if len(x) == 1:
-        return np.array([np.inf])
-    distances: Array = cKDTree(x.real).query(x.real, k=2)[0][:, 1]
-    return distances

@@ -6,6 +6,7 @@ from fractions import Fraction
 import pytest
 
 from rkverify.arithmetic.multiprecision import Multiprecision
+from rkverify.arithmetic.native import Exact
 from rkverify.arithmetic.series import Series
 from rkverify.certify.independent import cubic_kernel_as_printed
 from rkverify.certify.samples import NodeSet
@@ -170,6 +171,15 @@ def test_velocity_is_the_field_of_the_nodes_velocities(build: Build, nodes: Node
         A, Q = build(nodes, order), Fraction(4, 3)
         for x in nodes.points:
             assert velocity(A, (x,), [(Q * n,) for n in nodes.nodes]) == (Q * x,)
+
+
+def test_velocity_in_the_plane_has_its_own_components() -> None:
+    """Four corners of a rectangle and its middle, order 1: v = (3 x - y, 2 y + 1) comes back component by component, exactly."""
+    places = [[0, 0], [3, 0], [0, 4], [3, 4], ["3/2", 2]]
+    A = approximation(places, 6, Exact(), order=1, window="tensor")
+    nodes_v = [(3 * x - y, 2 * y + 1) for x, y in A.nodes]
+    x, y = Fraction(1), Fraction(5, 4)
+    assert velocity(A, (x, y), nodes_v) == (3 * x - y, 2 * y + 1)
 
 
 def test_rates_in_the_plane_are_limits_of_differences() -> None:

@@ -116,6 +116,26 @@ def test_the_gradient_of_three_nodes_is_the_central_difference() -> None:
     assert hand["frozen"][0] != -1 / (2 * H)
 
 
+def test_with_a_quadratic_basis_the_correction_knows_where_it_is_asked() -> None:
+    """b_1 = 0 by symmetry, so that with n = 1 C(x; y) is the same for every y; with n = 2 it is b_0 + b_2 y^2.
+
+    M b = H(0) without its odd rows: b_0 S_0 + b_2 S_2 = 1, b_0 S_2 + b_2 S_4 = 0. R = 5/2.
+    """
+    R, h = Fraction(5, 2), Fraction(1, 4)
+
+    def correction(points: list[Fraction], y: Fraction) -> Fraction:
+        S = [sum(cubic_kernel_as_printed(abs(p) / (R * h)) * p**k for p in points) for k in range(5)]
+        assert S[1] == S[3] == 0
+        b_2 = -S[2] / (S[0] * S[4] - S[2] ** 2)
+        return -b_2 * S[4] / S[2] + b_2 * y**2
+
+    from_node, from_edge = [k * h for k in range(-3, 4)], [(k + Fraction(1, 2)) * h for k in range(-3, 3)]
+    edge, literal = (lattice_values(h, R, K, half_point=half, order=2) for half in ("edge", "literal"))
+    assert edge.C_h == literal.C_h == correction(from_node, h) != correction(from_node, h / 2)
+    assert edge.C_half == correction(from_edge, h / 2) != correction(from_edge, h)
+    assert literal.C_half == correction(from_node, h / 2)
+
+
 @pytest.mark.parametrize("factor", [Fraction(20), Fraction(1, 1000)])
 def test_only_the_derivatives_know_the_spacing(factor: Fraction) -> None:
     """All values but h itself are functions of R alone; Psi,x and Psi,xx go with 1/h and 1/h^2."""

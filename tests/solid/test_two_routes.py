@@ -17,7 +17,7 @@ from rkverify.paper.shape import shape_functions, shape_gradient
 from rkverify.readings import DERIVATIVES, Readings
 from rkverify.solid.line import line
 from rkverify.stability import jacobian_paper, jacobian_solid
-from rkverify.stability.lagrangian import StretchedBar, stencil, stencil_by_complex_step
+from rkverify.stability.lagrangian import StretchedBar, bar, mass_stencil, stencil, stencil_by_complex_step
 from rkverify.stability.lattice_state import Base
 
 RATIOS = ("11/10", "3/2", "7/4", "2", "5/2", "7/2")
@@ -37,6 +37,18 @@ def test_stencils_from_duals_and_from_complex_steps_agree(ratio: str, integratio
                 assert abs(one[key].get(n, 0.0) - c) <= TOLERANCE * largest, (change, key, n)
 
 
+@pytest.mark.parametrize("mass", ["lumped", "consistent"])
+def test_stencils_agree_in_other_units(mass: str) -> None:
+    """With h = rho = 1 a mass and a length that are left out, or taken twice, do not show."""
+    for convection in ("psi-star", "none"):
+        base = Base("7/4", Readings("scni", convection, mass=mass), "1/3", "1/5", spacing="1/2", density="7/5")
+        one, other = jacobian_paper.linearise(base, Float()).stencil, jacobian_solid.stencil(base)
+        largest = max(abs(c) for part in other.values() for c in part.values())
+        assert one.keys() == other.keys()
+        for key, part in other.items():
+            assert max(abs(one[key].get(n, 0.0) - c) for n, c in part.items()) <= 10 * TOLERANCE * largest, key
+
+
 @pytest.mark.parametrize("name", [n for n, k in KERNELS.items() if k.continuity >= 2])
 @pytest.mark.parametrize("order", [1, 2])
 def test_stencils_agree_for_every_kernel_and_order(name: str, order: int) -> None:
@@ -54,6 +66,16 @@ def test_the_lagrangian_bar_agrees(ratio: str, integration: str) -> None:
     one, other = stencil(base, Float()), stencil_by_complex_step(base)
     largest = max(map(abs, other.values()))
     assert max(abs(one[n] - other[n]) for n in other) <= TOLERANCE * largest
+
+
+def test_the_consistent_mass_of_the_lagrangian_bar_agrees() -> None:
+    """Psi folded with itself in one route, Psi^T Psi in the other: rows of sum 1 that spread over more than the neighbours."""
+    base = StretchedBar("7/4", "scni", spacing="1/2", mass="consistent")
+    one, other = mass_stencil(base, Float()), bar(base, 16).mass
+    assert other is not None
+    assert max(abs(other[8, 8 + n] - one.get(n, 0.0)) for n in range(-8, 8)) <= TOLERANCE
+    assert abs(sum(one.values()) - 1) <= TOLERANCE
+    assert one[2] > 1e-3
 
 
 @pytest.mark.parametrize("order", [0, 1, 2])

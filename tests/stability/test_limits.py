@@ -102,6 +102,7 @@ def test_the_geometric_stencil_is_the_linearisations() -> None:
     [
         Base("7/4", Readings("dni"), velocity_gradient="1/5"),
         Base("7/4", Readings("dni", node_motion="field")),
+        Base("7/4", Readings("dni"), frame_velocity="1/5"),
         Base("7/4", Readings("dni", mass="consistent")),
     ],
 )

@@ -8,6 +8,8 @@ import pytest
 
 from rkverify.arithmetic.native import Exact
 from rkverify.errors import BadInput, NotDifferentiable, NotRepresentable, RkverifyError, TooFewNodes, UnknownName
+from rkverify.readings import Readings
+from rkverify.stability.lattice_state import Base
 from rkverify.stability.layers import Setting, dispersion
 from rkverify.stability.printed import gradients_are_odd, stencil_half_width
 
@@ -78,6 +80,13 @@ def test_an_undefined_wave_number_is_refused(bad: object) -> None:
 
 def test_no_wave_numbers_no_branches() -> None:
     assert dispersion(SEMI, []) == dispersion(LAGRANGIAN, []) == []
+
+
+def test_a_base_needs_a_kernel_that_can_be_linearised() -> None:
+    """Said before anything is computed, with the kernels that can: a node between the joints would let the tent pass."""
+    with pytest.raises(BadInput, match="kernel 'tent' is not of class C2"):
+        Base("11/10", Readings("scni"), kernel="tent")
+    assert Base("11/10", Readings("scni"), kernel="wendland-c2").kernel == "wendland-c2"
 
 
 @pytest.mark.decides("C29")
