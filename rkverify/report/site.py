@@ -8,14 +8,14 @@ from typing import Any
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from rkverify.paths import Checkout
-from rkverify.report import cards, choices, content, explorer, front, record, sections
+from rkverify.report import api, cards, choices, content, explorer, front, record, sections
 from rkverify.report.formulas import data, formulas
 from rkverify.workflow.files import write_atomically
 from rkverify.workflow.study import LAYERS
 
 ASSETS = ("style.css", "tables.js", "lattice.js", "explorer.js")
 OWN = {"index": "Overview", "equations": "Equations", "claims": "Claims", "readings": "Readings"}
-LAST = {"explorer": "Explorer", "reproduce": "Reproduce"}
+LAST = {"explorer": "Explorer", "api": "For your code", "reproduce": "Reproduce"}
 """Pages with a template of their own, before and after those on a subject."""
 
 
@@ -61,6 +61,7 @@ def pages(place: Checkout, site: content.Site) -> dict[str, dict[str, Any]]:
                 for key, number in explorer.RELATIONS.items()
             ],
         },
+        "api": {"title": "For your code", "lead": api.lead(), "parts": api.parts(place)},
         "reproduce": {
             "title": "Reproduce",
             "rows": record.study_rows(place, site),
