@@ -17,47 +17,49 @@ def _kernel(
 ) -> None:  # fmt: skip
     """phi(z), g = phi'/z and s = (phi'' - g)/z^2 into f, g, s, the latter two where derivatives of 1 and 2 are asked for.
 
-    The lengths of tuples are part of their types: the short loops unroll, and the long ones take several z at once.
+    The lengths of tuples are part of their types: the short loops unroll, and the long ones take several z at once. Each
+    array has a loop of its own: processors are slow to skip a masked store to memory that nobody has touched yet.
     """
-    if derivatives == 0:
-        for e in range(len(z)):
-            value = 0.0 * z[e]
-            for t in range(len(ends)):
-                inside = z[e].real < ends[t]
-                left, phi = ends[t] - z[e], 0.0 * z[e]
-                for k in range(len(pieces[t])):
-                    phi = phi * left + pieces[t][k]
-                value += phi if inside else 0.0 * phi
-            f[e] = value
-        return
     for e in range(len(z)):
         y = z[e]
-        value, slope, curve = 0.0 * y, 0.0 * y, 0.0 * y
+        value = 0.0 * y
         for t in range(len(ends)):
-            inside = y.real < ends[t]
-            left, phi, first, second = ends[t] - y, 0.0 * y, 0.0 * y, 0.0 * y
+            left, phi = ends[t] - y, 0.0 * y
             for k in range(len(pieces[t])):
-                if derivatives >= 2:
-                    second = second * left + first
-                first = first * left + phi
                 phi = phi * left + pieces[t][k]
-            value += phi if inside else 0.0 * phi
-            slope -= first if inside else 0.0 * phi
-            curve += 2.0 * second if inside else 0.0 * phi
-        beside = y.real < near or y.real == 0.0
-        series = 0.0 * y
-        for k in range(len(g_near)):
-            series = series * y + g_near[k]
-        over = 1.0 + 0.0 * y if beside else y
-        of_g = (series if beside else slope) / over
-        f[e], g[e] = value, of_g
-        if derivatives >= 2:
-            series = 0.0 * y
+            value += phi if y.real < ends[t] else 0.0 * phi
+        f[e] = value
+    if derivatives >= 1:
+        for e in range(len(z)):
+            y = z[e]
+            slope, series = 0.0 * y, 0.0 * y
+            for t in range(len(ends)):
+                left, phi, first = ends[t] - y, 0.0 * y, 0.0 * y
+                for k in range(len(pieces[t])):
+                    first = first * left + phi
+                    phi = phi * left + pieces[t][k]
+                slope -= first if y.real < ends[t] else 0.0 * first
+            for k in range(len(g_near)):
+                series = series * y + g_near[k]
+            beside = y.real < near or y.real == 0.0
+            over = 1.0 + 0.0 * y if beside else y
+            g[e] = (series if beside else slope) / over
+    if derivatives >= 2:
+        for e in range(len(z)):
+            y = z[e]
+            curve, series = 0.0 * y, 0.0 * y
+            for t in range(len(ends)):
+                left, phi, first, second = ends[t] - y, 0.0 * y, 0.0 * y, 0.0 * y
+                for k in range(len(pieces[t])):
+                    second = second * left + first
+                    first = first * left + phi
+                    phi = phi * left + pieces[t][k]
+                curve += 2.0 * second if y.real < ends[t] else 0.0 * second
             for k in range(len(zs_near)):
                 series = series * y + zs_near[k]
+            beside = y.real < near or y.real == 0.0
             over = (1.0 + 0.0 * y if y == 0.0 else y) if beside else y * y
-            rest = (0.0 * y if y == 0.0 else series) if beside else curve - of_g
-            s[e] = rest / over
+            s[e] = ((0.0 * y if y == 0.0 else series) if beside else curve - g[e]) / over
 
 
 kernel_stage = compiled(_kernel)
