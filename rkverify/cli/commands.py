@@ -159,9 +159,9 @@ COMMANDS = (
     Command(
         "new-study",
         "begin a study of your own",
-        "Write studies/NAME.py and tests/studies/test_NAME.py, which run at once, add the study to the README's table and,\n"
-        "with --about, to the lists of these entries of the ledger. Nothing that exists is replaced, and where one file\n"
-        "cannot be written none is. Needs a checkout.",
+        "Write studies/NAME.py and tests/studies/test_NAME.py, which run at once, add the study to the README's table, to\n"
+        "a page of the report and, with --about, to the lists of these entries of the ledger. Nothing that exists is\n"
+        "replaced, and where one file cannot be written none is. Needs a checkout.",
         "  rkverify new-study my_question --about C43",
         own_options.new_study,
         _later("new_study", "new_study"),

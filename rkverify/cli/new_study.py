@@ -8,10 +8,11 @@ from contextlib import suppress
 from pathlib import Path
 
 from rkverify.cli import new_study_texts as texts
-from rkverify.errors import BadInput
-from rkverify.ledger.editing import with_study
+from rkverify.errors import BadInput, UnknownName
+from rkverify.ledger.editing import shown_on, with_study
 from rkverify.ledger.entries import FILES, entry
 from rkverify.paths import Checkout, checkout
+from rkverify.report.sections import pages_of, plans
 from rkverify.report.site import menu
 from rkverify.workflow.files import write_atomically
 
@@ -23,7 +24,7 @@ def new_study(options: Namespace) -> int:
     """Write a study, its test and what lists it: all of it, or nothing."""
     place = checkout()
     about = list(dict.fromkeys(entry(id).id for id in options.about))
-    new, changed = _planned(place, options.name, about)
+    new, changed = _planned(place, options.name, about, options.page)
     _write(new, changed)
     for path in (*new, *changed):
         print(f"wrote {place.shown(path)}")
@@ -37,7 +38,7 @@ def new_study(options: Namespace) -> int:
     return 0
 
 
-def _planned(place: Checkout, name: str, about: Sequence[str]) -> tuple[dict[Path, str], dict[Path, str]]:
+def _planned(place: Checkout, name: str, about: Sequence[str], page: str) -> tuple[dict[Path, str], dict[Path, str]]:
     """The files to write, and those to change, each with its text; raises BadInput where one cannot be."""
     _refuse_name(name)
     new = {
@@ -48,6 +49,12 @@ def _planned(place: Checkout, name: str, about: Sequence[str]) -> tuple[dict[Pat
         if path.exists():
             raise BadInput(f"{place.shown(path)} exists: choose another name, or remove it first")
     changed = {}
+    known = plans()
+    if page not in known:
+        raise UnknownName("page", page, list(known))
+    if not pages_of(name, known):
+        path = place.root / "rkverify" / "report" / "pages" / f"{page}.toml"
+        changed[path] = shown_on(path.read_text(encoding="utf-8"), name)
     for file in FILES:
         path = place.root / "rkverify" / "ledger" / file
         before = text = path.read_text(encoding="utf-8")

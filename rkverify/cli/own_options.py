@@ -9,6 +9,12 @@ def new_study(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--about", nargs="+", default=[], metavar="ID", help="entries of the ledger that it will decide, as E1 or C43"
     )
+    parser.add_argument(
+        "--page",
+        default="discretisation",
+        metavar="PAGE",
+        help="page of the report that shows it: certificates, discretisation, mechanics or stability (default discretisation)",
+    )
 
 
 def export(parser: ArgumentParser) -> None:

@@ -9,6 +9,7 @@ import tomllib
 import pytest
 
 NAME = "my_question"
+PAGE = "rkverify/report/pages/discretisation.toml"
 STUDY, TEST = f"studies/{NAME}.py", f"tests/studies/test_{NAME}.py"
 
 
@@ -22,7 +23,7 @@ def there(fresh):
 def snapshot(small) -> dict[str, str]:
     return {
         path.relative_to(small.root).as_posix(): path.read_text(encoding="utf-8")
-        for folder in ("studies", "tests", "rkverify/ledger", ".")
+        for folder in ("studies", "tests", "rkverify/ledger", "rkverify/report/pages", ".")
         for path in (small.root / folder).glob("**/*" if folder != "." else "*.md")
         if path.is_file() and path.suffix in (".py", ".toml", ".md")
     }
@@ -39,11 +40,13 @@ def test_it_runs_at_once_and_its_test_passes_and_can_fail(there) -> None:
     before, entries = snapshot(there), listed(there)
     done = there.command("new-study", NAME)
     assert (done.returncode, done.stderr) == (0, "")
-    assert f"wrote {STUDY}\nwrote {TEST}\nwrote README.md\n" in done.stdout
+    assert f"wrote {STUDY}\nwrote {TEST}\nwrote {PAGE}\nwrote README.md\n" in done.stdout
     after = snapshot(there)
     assert after.keys() - before.keys() == {STUDY, TEST}
     assert listed(there) == entries
     assert f"`rkverify run {NAME}`" in after["README.md"]
+    shown = [tomllib.loads(text[PAGE])["studies"] for text in (before, after)]
+    assert shown[1] == [*shown[0], NAME]
 
     run = there.command("run", NAME, "--jobs", "1")
     assert (run.returncode, run.stderr) == (0, "")
@@ -79,8 +82,8 @@ def test_entries_list_it_and_are_not_decided_by_it(there) -> None:
     assert listed(there) == expected
     after = snapshot(there)
     changed = {path for path in before if after[path] != before[path]}
-    assert changed == {"README.md", "rkverify/ledger/equations.toml", "rkverify/ledger/claims.toml"}
-    for path in changed - {"README.md"}:
+    assert changed == {"README.md", "rkverify/ledger/equations.toml", "rkverify/ledger/claims.toml", PAGE}
+    for path in changed - {"README.md", PAGE}:
         old, new = before[path].splitlines(), after[path].splitlines()
         assert sum(a != b for a, b in zip(old, new, strict=True)) == sum(f'"{NAME}"' in line for line in new)
 
@@ -105,6 +108,7 @@ def test_entries_list_it_and_are_not_decided_by_it(there) -> None:
         (["../escape"], "cannot name a study"),
         (["claims"], "'claims' is the name of a page of the report"),
         ([NAME, "--about", "C76"], "unknown entry 'C76'"),
+        ([NAME, "--page", "claims"], "unknown page 'claims': choose one of certificates"),
     ],
 )
 def test_what_is_refused_leaves_everything_as_it_was(words, told, there) -> None:
