@@ -3,10 +3,14 @@
 import importlib
 import pkgutil
 import sys
+from difflib import get_close_matches
 
 from rkverify.errors import BadInput, UnknownName
 from rkverify.paths import Checkout
 from rkverify.workflow.study import Study
+
+MENTIONED = 5
+"""Names like the unknown one that an error mentions: a line is to be read."""
 
 
 def study_names(place: Checkout) -> list[str]:
@@ -22,7 +26,9 @@ def choose(place: Checkout, names: list[str]) -> list[str]:
     known = study_names(place)
     for name in names:
         if name not in known:
-            raise UnknownName("study", name, known)
+            near = get_close_matches(name, known, MENTIONED, 0.0)
+            few = [f"those that `rkverify list` shows, such as {', '.join(near)}"]
+            raise UnknownName("study", name, known if len(known) <= MENTIONED else few)
     return sorted(set(names)) or known
 
 
