@@ -10,7 +10,7 @@ export OPENBLAS_NUM_THREADS ?= 1
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 export PYTHONNOUSERSITE := 1
 
-.PHONY: help install reproduce smoke test property fuzz check lock notebooks report bench peers clean
+.PHONY: help install reproduce smoke test property fuzz check lock notebooks report bench peers controls mutants clean
 
 help: ## list the targets (now)
 	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## (.*)$$/\1|\2/' | \
@@ -55,6 +55,8 @@ lock: install ## write requirements.lock anew from pyproject.toml, for maintaine
 	for name in peers-build peers; do uv pip compile benchmarks/$$name.in --constraint benchmarks/peers-build.lock --universal \
 	  --python-version 3.11 --generate-hashes --no-emit-index-url --no-annotate --no-header --quiet \
 	  --output-file benchmarks/$$name.lock; done
+	uv pip compile controls/mutants.in --universal --python-version 3.11 --generate-hashes --no-emit-index-url --no-annotate \
+	  --no-header --quiet --output-file controls/mutants.lock
 
 notebooks: install ## execute the notebooks into reports/notebooks, beside the pages that they link to (30 s)
 	$(RUN) run
@@ -79,6 +81,17 @@ peers: .venv-peers/installed ## build the packages we compare with and compute t
 	$(PYTHON) -m venv .venv-peers
 	.venv-peers/bin/python -m pip install --quiet --require-hashes --requirement benchmarks/peers-build.lock
 	.venv-peers/bin/python -m pip install --quiet --require-hashes --no-build-isolation --requirement benchmarks/peers.lock
+	touch $@
+
+controls: install ## deliberate faults, each in a copy of the checkout, and which test catches it; reports/controls/controls.csv (30 min)
+	$(BIN)/python -m controls.run
+
+mutants: install .venv-mutants/installed ## mutation score of paper/, solid/ and stability/ on a seeded sample; reports/controls/mutants.csv (60 min)
+	$(BIN)/python -m controls.mutants
+
+.venv-mutants/installed: controls/mutants.lock
+	$(PYTHON) -m venv .venv-mutants
+	.venv-mutants/bin/python -m pip install --quiet --require-hashes --requirement controls/mutants.lock
 	touch $@
 
 clean: ## remove .venv, caches and built pages; committed results stay (1 s)

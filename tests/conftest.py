@@ -1,6 +1,6 @@
-"""Profiles of the property tests: dev (quick), ci (the same cases every time), fuzz (many, climbing).
+"""Profiles of the property tests: dev (quick), ci (the same cases every time), fuzz (many, climbing), faults (few, not shrunk).
 
-RKVERIFY_HYPOTHESIS=ci or fuzz chooses one; dev is the default.
+RKVERIFY_HYPOTHESIS=ci, fuzz or faults chooses one; dev is the default.
 """
 
 import os
@@ -11,6 +11,15 @@ slow_is_fine = (HealthCheck.too_slow, HealthCheck.filter_too_much)
 settings.register_profile("dev", max_examples=25, deadline=None, suppress_health_check=slow_is_fine, database=None)
 settings.register_profile(
     "ci", max_examples=60, deadline=None, suppress_health_check=slow_is_fine, database=None, derandomize=True
+)
+settings.register_profile(
+    "faults",
+    max_examples=25,
+    deadline=None,
+    suppress_health_check=slow_is_fine,
+    database=None,
+    derandomize=True,
+    phases=(Phase.explicit, Phase.generate),
 )
 settings.register_profile(
     "fuzz",

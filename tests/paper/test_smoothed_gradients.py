@@ -68,6 +68,17 @@ def test_sums_are_exact_with_every_rule(d: int, rule: str) -> None:
     assert any(beyond)
 
 
+@pytest.mark.parametrize("d", [2, 3])
+def test_the_trapezoid_is_at_the_corners_and_the_midpoint_is_one_point(d: int) -> None:
+    """Both are exact for linear functions and no further, so that nothing else tells one rule from the other."""
+    P = setting(d)[1][0]
+    for f in range(len(P.facets)):
+        assert [x for x, _ in facet_points(P, f, "trapezoid", K)] == P.places(f)
+        ((middle, weight),) = facet_points(P, f, "midpoint", K)
+        assert weight == 1
+        assert middle not in P.places(f)
+
+
 def test_order_zero_keeps_constants_and_not_linear_fields() -> None:
     """The twin in the order: without completeness of first order sum_I b_iI X_jI is not delta_ij."""
     A, cells = setting(2, 0)

@@ -19,6 +19,7 @@ from rkverify.certify.index_convention import LAWS, energy_slopes, forces, momen
 from rkverify.certify.plates import MODULI, RHO_0, Plate, homogeneous
 from rkverify.certify.weak_form_checks import random_deformation
 from rkverify.errors import BadInput, UnknownName
+from rkverify.paper.approximation import approximation
 from rkverify.paper.chain_rule import determinant, inverse
 from rkverify.paper.constitutive import (
     Moduli,
@@ -35,7 +36,7 @@ from rkverify.paper.constitutive import (
     transpose,
 )
 from rkverify.paper.lagrangian_solid import LagrangianSolid, carried
-from rkverify.paper.semi_lagrangian_solid import SemiLagrangianSolid
+from rkverify.paper.semi_lagrangian_solid import SemiLagrangianSolid, shapes_at_nodes
 
 K = Exact()
 SEEDS = st.integers(0, 10**6)
@@ -261,6 +262,13 @@ def test_only_the_plane_has_the_printed_matrices() -> None:
         body.b_bar(0, 0)
     with pytest.raises(UnknownName, match="first, nominal"):
         body.internal_force(0, [(0, 0)], "second")
+
+
+def test_shapes_at_nodes_are_those_of_each_node() -> None:
+    """sum_I Psi_I(x_L) x_I = x_L tells which cell a row belongs to; totals over all cells do not."""
+    A = approximation([[0], [1], ["5/2"], [4]], "5/2", K)
+    rows = shapes_at_nodes(A)
+    assert [sum(Psi * A.nodes[I][0] for I, Psi in row.items()) for row in rows] == [x for (x,) in A.nodes]
 
 
 def test_carried_is_a_row_times_vectors() -> None:

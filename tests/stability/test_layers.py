@@ -56,6 +56,33 @@ def test_seen_from_a_moving_node_psi_star_splits_the_frequencies() -> None:
         assert abs(complex(*one) - complex(*other)) <= 1e-3 * abs(complex(*other))
 
 
+def test_a_frame_tells_the_layers_apart() -> None:
+    """Psi* sees a frame in motion; the true rate does not, and without N nothing does. At rest all of them are one."""
+
+    def omegas(layer: str, convective: bool, V: str) -> list[complex]:
+        setting = Setting("semi-lagrangian", "scni", "3/2", "1/2", frame_velocity=V, convective=convective, layer=layer)
+        return sorted((complex(b.omega.re, b.omega.im) for b in dispersion(setting, [pi / 6])), key=lambda w: w.real)
+
+    def apart(layer: str, convective: bool) -> float:
+        still, moving = (omegas(layer, convective, V) for V in ("0", "1"))
+        return max(abs(p - q) for p, q in zip(still, moving, strict=True))
+
+    rounding = 1e-7  # at a double root eigenvalues are known to the square root of rounding
+    assert apart("as-defined", True) > 0.1
+    assert apart("as-defined", False) < rounding
+    assert apart("consistent", True) < rounding
+
+
+@pytest.mark.parametrize("change", [{"cell_edges": "material"}, {"cell_measure": "material"}], ids=str)
+def test_what_the_material_carries_is_part_of_the_state(change: dict[str, str]) -> None:
+    """Left out of the state it would be held fixed, in the linearisation and not in the measurement."""
+    setting = Setting("semi-lagrangian", "dni", "7/4", "1/2", layer="as-defined", **change)
+    one, other = (_largest(replace(setting, layer=layer), pi / 2) for layer in ("as-defined", "simulated"))
+    held = _largest(replace(setting, **dict.fromkeys(change, "fixed")), pi / 2)
+    assert max(abs(p - q) for p, q in zip(one, other, strict=True)) <= 1e-3 * max(one)
+    assert max(abs(p - q) for p, q in zip(one, held, strict=True)) > 1e-2 * max(one)
+
+
 def test_the_lagrangian_bar_is_measured_as_well() -> None:
     """An unstable bar, so that growth and not frequency is compared: C F^2 + S = -1/2."""
     settings = [

@@ -268,6 +268,18 @@ def test_measured_points_lie_on_the_curves_of_the_method_and_not_on_a_print_that
     assert abs(of["as-defined"] - sqrt(unstressed)) <= 1e-7
 
 
+def test_rows_are_those_of_their_case_and_of_q_times_h() -> None:
+    """The roots of one setting at Q h, not at Q, and in the case's own reading: both change the growth by more than rounding."""
+    case, kh = Case("dni", "3/2", "diffuse"), pi * np.arange(1, 9) / 8
+    rows = semi_lagrangian_rows([case], "1/2", ["2"], "1/20", 8, [])
+    for layer in ANALYTIC:
+        setting = Setting("semi-lagrangian", "dni", "3/2", derivative="diffuse", layer=layer)
+        found = np.array([r["growth"] for r in rows if r["layer"] == layer])
+        assert abs(found - growth(roots_over(setting, kh)(0.5, 0.1))).max() <= 1e-7
+        for other, Q in ((setting, 2.0), (replace(setting, derivative="full"), 0.1)):
+            assert abs(found - growth(roots_over(other, kh)(0.5, Q))).max() > 1e-4, (layer, Q)
+
+
 @pytest.mark.parametrize(
     "setting",
     [

@@ -1,0 +1,145 @@
+"""Mutation score of paper/, solid/ and stability/ on a seeded, stratified sample of mutants, without numba's compiler.
+
+    python -m controls.mutants [--count N] [--seed S] [--minutes M]
+
+The mutants are made by Cosmic Ray (`mutate.py`). Each runs, in a copy of the checkout, the tests of its own module alone:
+those that the catalogue names for it, then those of tests_of.toml. Survivors that `equivalent.toml` explains stay in the
+sample and count as survivors; the score without them is given beside. Results go to reports/controls/mutants.csv; a run
+that is interrupted goes on where it stopped, as long as the sources are the same.
+"""
+
+import argparse
+import csv
+import hashlib
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+import tomllib
+from pathlib import Path
+from typing import Any
+
+from scipy.stats import binomtest
+
+from controls.faults import COVERED, HERE, catalogue
+from controls.sandbox import ROOT, Sandbox
+
+PYTHON = ROOT / ".venv-mutants" / "bin" / "python"
+TABLE = ROOT / "reports" / "controls" / "mutants.csv"
+KEPT = ROOT / ".rkverify" / "mutants"
+SECONDS = 90
+"""Of the processor, for the tests of one mutant: one that takes longer than all of them together hangs."""
+LEVEL = 0.95
+
+
+def sources() -> list[str]:
+    """The files whose mutants are looked at."""
+    found = [p for package in COVERED for p in sorted((ROOT / "rkverify" / package).rglob("*.py"))]
+    return [p.relative_to(ROOT).as_posix() for p in found if p.name != "__init__.py"]
+
+
+def sampled(count: int, seed: int) -> dict[str, Any]:
+    """The sample, from Cosmic Ray in its own environment."""
+    command = [PYTHON, HERE / "mutate.py", ROOT, str(seed), str(count), *sources()]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    found: dict[str, Any] = json.loads(done.stdout)
+    return found
+
+
+def tests_of(file: str) -> list[str]:
+    """Tests of a module, the quickest to tell first."""
+    known = tomllib.loads((HERE / "tests_of.toml").read_text(encoding="utf-8"))
+    place = file.removeprefix("rkverify/").removesuffix(".py")
+    named = [check for fault in catalogue().faults if fault.file == file for check in fault.checks]
+    more = known[max((name for name in known if place.startswith(name)), key=len)]
+    return list(dict.fromkeys([*named, *more]))
+
+
+def explained() -> dict[tuple[str, str, str], str]:
+    """(file, line before, line after) -> why no test can tell the mutant from the program."""
+    entries = tomllib.loads((HERE / "equivalent.toml").read_text(encoding="utf-8")).get("mutant", [])
+    return {(entry["file"], entry["old"].strip(), entry["new"].strip()): entry["reason"] for entry in entries}
+
+
+def outcome(box: Sandbox, mutant: dict[str, Any]) -> tuple[str, str, float]:
+    """killed, timeout or survived; by which test; seconds."""
+    with box.patched(mutant["file"], mutant["text"]):
+        run = box.run(tests_of(mutant["file"]), SECONDS)
+    word = "survived" if not run.noticed else "timeout" if run.code is None else "killed"
+    return word, run.first, run.seconds
+
+
+def described(results: list[dict[str, Any]]) -> str:
+    """The score with its interval, Clopper and Pearson, and that without the mutants that are explained."""
+    lines = []
+    for name in ("", *COVERED):
+        part = [r for r in results if r["file"].startswith(f"rkverify/{name}")]
+        dead = sum(r["outcome"] != "survived" for r in part)
+        same = sum(bool(r["reason"]) for r in part)
+        for what, all_of in (("all", len(part)), ("without equivalent ones", len(part) - same)):
+            if all_of:
+                bounds = binomtest(dead, all_of).proportion_ci(LEVEL, method="exact")
+                lines.append(
+                    f"{name or 'whole sample':12} {what:24} {dead} of {all_of} killed: {dead / all_of:.1%} "
+                    f"({bounds.low:.1%} to {bounds.high:.1%})"
+                )
+    return "\n".join(lines)
+
+
+def main() -> int:
+    """Run the sample as far as time permits, print the score and the survivors."""
+    options = argparse.ArgumentParser(description="mutation score")
+    options.add_argument("--count", type=int, default=320)
+    options.add_argument("--seed", type=int, default=1)
+    options.add_argument("--minutes", type=float, default=600.0)
+    chosen = options.parse_args()
+    os.nice(10)
+    sample = sampled(chosen.count, chosen.seed)
+    texts = "".join((ROOT / file).read_text(encoding="utf-8") for file in sources())
+    key = hashlib.sha256(f"{chosen.seed} {chosen.count} {texts}".encode()).hexdigest()[:16]
+    KEPT.mkdir(parents=True, exist_ok=True)
+    log = KEPT / f"{key}.jsonl"
+    known = [json.loads(line) for line in log.read_text(encoding="utf-8").splitlines()] if log.exists() else []
+    print(f"{len(sample['sample'])} mutants at {sample['places']} places in {sample['files']} files, {len(known)} done")
+    until = time.monotonic() + 60 * chosen.minutes
+    left = sample["sample"][:]
+    # Files take turns, so that a part of the sample is one of all of them.
+    left.sort(key=lambda m: hashlib.sha256(f"{m['file']} {m['place']} {m['operator']}".encode()).hexdigest())
+    with tempfile.TemporaryDirectory(prefix="rkverify-mutants-") as folder, log.open("a", encoding="utf-8") as kept:
+        box = Sandbox(Path(folder))
+        for number, mutant in enumerate(left):
+            if number < len(known):
+                continue
+            if time.monotonic() > until:
+                print(f"time is up after {number} of {len(left)} mutants")
+                break
+            word, test, seconds = outcome(box, mutant)
+            entry = {k: mutant[k] for k in ("file", "line", "operator", "old", "new")} | {"outcome": word, "test": test}
+            known.append(entry)
+            kept.write(json.dumps(entry) + "\n")
+            kept.flush()
+            print(f"{number + 1:4} {word:9} {mutant['file']}:{mutant['line']} {test} {seconds:.1f} s", flush=True)
+        box.close()
+    reasons = explained()
+    for entry in known:
+        place = (entry["file"], entry["old"].strip(), entry["new"].strip())
+        entry["reason"] = reasons.get(place, "") if entry["outcome"] == "survived" else ""
+    TABLE.parent.mkdir(parents=True, exist_ok=True)
+    with TABLE.open("w", encoding="utf-8", newline="") as handle:
+        table = csv.DictWriter(handle, list(known[0]), lineterminator="\n")
+        table.writeheader()
+        table.writerows(sorted(known, key=lambda e: (e["file"], e["line"], e["operator"])))
+    for entry in known:
+        if entry["outcome"] == "survived":
+            print(
+                f"survived: {entry['file']}:{entry['line']} {entry['operator']}\n  - {entry['old']}\n  + {entry['new']}"
+            )
+            print(f"  {entry['reason'] or 'UNEXPLAINED'}")
+    print(described(known))
+    return int(any(e["outcome"] == "survived" and not e["reason"] for e in known))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
