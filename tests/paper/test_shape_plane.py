@@ -13,7 +13,14 @@ from rkverify.arithmetic.native import Exact, Float
 from rkverify.errors import NotRepresentable, SingularMomentMatrix
 from rkverify.paper.approximation import Approximation, Vector, approximation
 from rkverify.paper.basis import exponents, monomial
-from rkverify.paper.shape import DERIVATIVES, reproducing_residual, shape_functions, shape_gradient, shape_second
+from rkverify.paper.shape import (
+    DERIVATIVES,
+    diffuse_gradient_slope,
+    reproducing_residual,
+    shape_functions,
+    shape_gradient,
+    shape_second,
+)
 
 Rounding = Callable[[Approximation, Vector], dict[int, float]]
 DIGITS = 25
@@ -121,6 +128,17 @@ def test_second_derivatives_are_slopes_of_gradients(order: int) -> None:
         for k in (0, 1):
             for I, second in shape_second(A, A.point(*place), (j, k)).items():
                 assert abs(second - moving[I].partials[k]) < 10.0**-DIGITS * 10
+
+
+def test_the_diffuse_gradient_has_a_slope_of_its_own() -> None:
+    """Along the other axis as well, against duals: the diffuse derivative differentiated in full, which (81) needs."""
+    D, place = Duals(MP, 2), POINTS[1]
+    A, x = plane(MP, 1), tuple(D.variable(c, axis) for axis, c in enumerate(place))
+    for j in (0, 1):
+        moving = shape_gradient(plane(D, 1), x, j, "diffuse")
+        for k in (0, 1):
+            for I, slope in diffuse_gradient_slope(A, A.point(*place), (j, k)).items():
+                assert abs(slope - moving[I].partials[k]) < 10.0**-DIGITS * 10
 
 
 def test_second_derivatives_of_quadratic_fields() -> None:

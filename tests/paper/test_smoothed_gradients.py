@@ -22,6 +22,7 @@ from rkverify.paper.quadrature import cell_points, facet_points
 from rkverify.paper.shape import shape_functions
 from rkverify.paper.smoothing import (
     approximated,
+    approximated_gradient,
     boundary_average,
     deformation_from_boundary,
     deformation_from_cell,
@@ -162,6 +163,21 @@ def test_the_divergence_theorem_on_polynomial_fields(d: int) -> None:
     exact = deformation_from_cell(cell, slope, cell_points(cell, 1, MP), MP)
     gauss = deformation_from_boundary(boundary_average(cell, square, "gauss:2", MP), MP)
     assert max(abs(gauss[i][j] - exact[i][j]) for i in axes for j in axes) < 100 * MP.epsilon
+
+
+@SPACES
+def test_the_gradient_of_the_field_is_its_slope(d: int) -> None:
+    """In full, against duals; a diffuse one of order 1 gives the same for linear fields alone, so the field is not linear."""
+    D = Duals(F, d)
+    A, moving = setting(d, 1, F)[0], setting(d, 1, D)[0]
+    u = [tuple(1.0 + (i + 1) * x[0] ** 2 - x[-1] for i in range(d)) for x in A.nodes]
+    place = [1.0 + axis / 8 for axis in range(d)]
+    slopes = approximated(moving, u)(tuple(D.variable(c, axis) for axis, c in enumerate(place)))
+    found = approximated_gradient(A, u)(tuple(place))
+    for i in range(d):
+        for j in range(d):
+            # values up to 30, condition numbers of some hundreds
+            assert abs(found[i][j] - slopes[i].partials[j]) < 1e-11
 
 
 @SPACES

@@ -17,13 +17,13 @@ from rkverify.arithmetic.multiprecision import Multiprecision
 from rkverify.arithmetic.native import Exact
 from rkverify.errors import BadInput
 from rkverify.solid.chain import rates
-from rkverify.stability.at_rest import AtRest, at_rest
+from rkverify.stability.at_rest import AtRest, at_rest, printed_relation
 from rkverify.stability.jacobian_paper import Stencil, linearise
 from rkverify.stability.jacobian_solid import base_chain
 from rkverify.stability.lagrangian import bar
 from rkverify.stability.layers import Setting, dispersion
 from rkverify.stability.side_by_side import ANALYTIC, Case, lagrangian_rows, semi_lagrangian_rows
-from rkverify.stability.stability_sets import FORMULATIONS, motion_rows
+from rkverify.stability.stability_sets import FORMULATIONS, motion_rows, moving_rows, relations, step_rows, stress_rows
 from rkverify.stability.surveys import frequency, growth, roots_over
 from rkverify.stability.two_forms import constant_moduli_rows, same_material_rows
 
@@ -266,6 +266,25 @@ def test_measured_points_lie_on_the_curves_of_the_method_and_not_on_a_print_that
     # Over c, stretch and stress drop out.
     unstressed = at_rest(replace(BARS[1], stretch=1)).omega_squared(0.0, np.array([pi / 2]))[0]
     assert abs(of["as-defined"] - sqrt(unstressed)) <= 1e-7
+
+
+def test_tables_say_what_the_relations_say() -> None:
+    """Each column is what its name says, and a formula in print is asked for the supports alone for which it is printed."""
+    found = relations(["printed SCNI", "DNI full"], ["3/2", "5/2"])
+    assert list(found) == [("printed SCNI", "3/2"), ("DNI full", "3/2"), ("DNI full", "5/2")]
+    for row in stress_rows(found):
+        assert row["stable_from"] <= 0 <= row["stable_to"]
+        assert row["stable_from"] < row["stable_to"]
+    for row in step_rows(found, ["-1/2", "1/2"]):
+        assert abs(row["critical_step"] * row["omega_max"] - 2) < 1e-7
+        low, high = found[row["formulation"], row["support_ratio"]].extremes(float(Fraction(row["stress_ratio"])))
+        assert abs(row["least_squared"] - low) <= 1e-9
+        assert abs(row["omega_max"] ** 2 - high) <= 1e-8
+    rows = moving_rows([Case("scni", "3/2")], [0.5], [0.25], 8)
+    (printed,) = (row["discriminant"] for row in rows if row["layer"] == "printed")
+    relation = printed_relation(Setting("semi-lagrangian", "scni", "3/2"))
+    least = min(relation.discriminant(relation.state(0.25, 0.5), pi * n / 8) for n in range(1, 9))
+    assert abs(printed - least) <= 1e-7
 
 
 def test_rows_are_those_of_their_case_and_of_q_times_h() -> None:
