@@ -49,13 +49,18 @@ def pages_of(study: str, given: dict[str, dict[str, Any]]) -> list[str]:
     return [page for page, plan in given.items() if any(fnmatchcase(study, pattern) for pattern in plan["studies"])]
 
 
+def is_quick(place: Checkout) -> bool:
+    """Whether the results are those of a quick run."""
+    return place.state == checkout().quick().state
+
+
 def sections(place: Checkout, site: Site, plan: dict[str, Any]) -> list[Section]:
     """The parts of a page as its plan has them, then a part for each of its studies that the plan's parts do not show.
 
     A quick run shows what its smaller parameters left of the plan. Raises BadInput where the plan names a study's
     figure, table or statement that the study does not have.
     """
-    quick = place.state == checkout().quick().state
+    quick = is_quick(place)
 
     def each(names: list[str], find: Callable[[str], list[dict[str, Any]]]) -> list[dict[str, Any]]:
         found = []

@@ -42,7 +42,7 @@ def pages(place: Checkout, site: content.Site) -> dict[str, dict[str, Any]]:
             "bars": bars,
             "in_words": front.in_words(bars),
             "counts": content.count_rows(site),
-            "findings": front.findings(site, every),
+            "findings": front.findings(site, every, sections.is_quick(place)),
             "undecided": cards.undecided(site),
         },
         "equations": {"title": "Equations", "cards": equations},
