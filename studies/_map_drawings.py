@@ -68,7 +68,7 @@ def rest(tables: Tables) -> Any:
 def rest_alternative(tables: Tables) -> str:
     """What the maps at rest show."""
     frame = tables["rest"].frame
-    said = []
+    said, first = [], []
     for name in (*(f"printed {n}" for n in SEMI), *SEMI):
         part = frame[frame["formulation"] == name]
         tension = part[part["stable_to"] < 1e-3]["support_ratio"]
@@ -82,11 +82,11 @@ def rest_alternative(tables: Tables) -> str:
     sides = full[full["stable_from"] > -1e-3]
     both = full[(full["stable_from"] < -1e-3) & (full["stable_to"] > 1e-3)]
     if len(sides):
-        said.append(f"With the full derivative compression is unstable from R = {_ratios(sides).min():.4g} on")
+        first.append(f"With the full derivative compression is unstable from R = {_ratios(sides).min():.4g} on")
     if len(both):
         where = ", ".join(f"{R:g}" for R in _ratios(both))
-        said.append(f"At R = {where} alone neither tension nor compression with C + sigma > 0 is")
-    return f"{'. '.join(said)}."
+        first.append(f"at R = {where} alone neither tension nor compression with C + sigma > 0 is")
+    return f"{'; '.join(first)}{'. ' if first else ''}{'; '.join(said)}."
 
 
 def waves(tables: Tables, stresses: tuple[str, ...]) -> Any:
@@ -185,7 +185,7 @@ def moving_alternative(tables: Tables) -> str:
             said.append(
                 f"{case}, {layer}: {unstable[sound].mean():.2g} where C + sigma >= 0 and {unstable[~sound].mean():.2g} where C + sigma < 0"
             )
-    return f"Share of the points (Q h, sigma/C) that are called unstable. {'; '.join(said)}."
+    return f"Share of the points (Q h, sigma/C) that are called unstable: {'; '.join(said)}."
 
 
 DRAWN = ("Lagrangian SCNI", "Lagrangian DNI", "SCNI", "DNI full", "DNI diffuse", "printed SCNI", "printed DNI full")
@@ -219,7 +219,7 @@ def steps(tables: Tables, stresses: tuple[str, ...]) -> Any:
 def steps_alternative(tables: Tables, stresses: tuple[str, ...]) -> str:
     """The range of critical steps of every formulation."""
     frame = tables["critical_step"].frame
-    said = []
+    said, without = [], []
     for stress in stresses:
         for name in DRAWN:
             part = frame[(frame["formulation"] == name) & (frame["stress_ratio"] == stress)]
@@ -228,4 +228,7 @@ def steps_alternative(tables: Tables, stresses: tuple[str, ...]) -> str:
             span = f"{step.min():.3g} to {step.max():.3g}" if len(step) else "no step is stable"
             unstable = f", every step grows at {int(grows.sum())} of {len(part)} R" if grows.any() and len(step) else ""
             said.append(f"{name} at sigma/C = {stress}: {span}{unstable}")
-    return f"Critical step dt c/h over the support ratios. {'; '.join(said)}."
+            if grows.any():
+                without.append(f"{name} at sigma/C = {stress} ({int(grows.sum())} of {len(part)} R)")
+    none = f", but not {', '.join(without)}" if without else ""
+    return f"Every formulation has a stable time step at every support ratio{none}. Critical steps dt c/h: {'; '.join(said)}."

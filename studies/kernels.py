@@ -72,7 +72,14 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
     right.set(xlabel="z = distance / support radius  (1)", ylabel="φ″(z) / φ(0)  (1)", ylim=(-22, 14))
     left.legend()
     caption = "Kernels of the suite, each divided by its value at 0; the paper's (12) is called cubic. All choices but (12) are ours."
-    alternative = "All kernels fall from one at the node to zero at the edge of the support; all but the tent have a negative curvature near the node and a positive one further out."
+    kinds = frame.groupby("kernel")
+    fall = [name for name, part in kinds if (part["phi"].diff().dropna() < 0).all()]
+    left = max(part["phi"].iloc[-1] / part["phi"].iloc[0] for _, part in kinds)
+    turn = [name for name, part in kinds if part["curvature"].iloc[0] < 0 < part["curvature"].max()]
+    alternative = (
+        f"{len(fall)} of {len(kinds)} kernels fall at every step from the node on, to {left:.2g} of their top or less at z = {frame['z'].max():.3g}; "
+        f"a negative curvature at the node and a positive one further out have {', '.join(turn)}."
+    )
     return {"kernels": Drawing(figure, caption, alternative)}
 
 

@@ -174,9 +174,13 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
         "where it is: its sums are exact, its integral is not."
     )
     share = float((trapezoid["boundary_and_average"] / trapezoid["size"]).max()) if len(trapezoid) else 0.0
+    gauss = frame[frame["points"] > 0].sort_values("points").groupby(["dimension", "window"])["boundary_and_average"]
+    ends = gauss.agg(["first", "last"])
+    told = "; ".join(f"{d}-D {window} from {a:.1e} to {b:.1e}" for (d, window), a, b in ends.itertuples())
     alternative = (
-        "The difference between the boundary form and the cell average falls with every further Gauss point, in one, two and "
-        f"three dimensions, while that of the trapezoidal rule at the vertices stays, at up to {share:.0%} of the largest entry."
+        f"With more Gauss points the difference between the boundary form and the cell average goes in {told}, falling with every further point in "
+        f"{sum((part.diff().dropna() < 0).all() for _, part in gauss)} of {len(ends)} cases, "
+        f"while that of the trapezoidal rule at the vertices stays, at up to {share:.0%} of the largest entry."
     )
     return {"averages": Drawing(figure, caption, alternative)}
 

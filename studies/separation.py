@@ -205,10 +205,19 @@ def _draw_digits(frame: pd.DataFrame) -> Drawing:
         f"basis, cubic kernel, supports of {lost_digits.SUPPORT_RATIO} spacings, at one material point. s₀: where the discrete det F is 0. "
         "Maps and parameters are ours."
     )
-    alternative = (
-        "The chain rule loses one digit for each power of ten of cond F in all three motions. Gradients of shape functions of x lose none in the "
-        "fold, two for each power of ten in the flattening until the moment matrix is singular, and end early in the shear for want of nodes."
-    )
+    told = []
+    for motion in lost_digits.MOTIONS:
+        part = frame[frame["motion"] == motion]
+        there = part[np.isfinite(part["semi_lagrangian_lost"])]
+        power = np.log10(part["condition_F"])
+        # Above the first power of ten, where rounding of the last digits is no longer what is seen.
+        chain = np.polyfit(power[power > 1], part["chain_rule_lost"][power > 1], 1)[0]
+        stopped = f" and ends at cond F = {there['condition_F'].max():.0e} ({WORDS[part['stopped'].dropna().iloc[-1]]})" if len(there) < len(part) else ""  # fmt: skip
+        told.append(
+            f"{motion}: the chain rule loses {chain:.2f} digits for each power of ten of cond F; a gradient of functions of x has lost up to "
+            f"{there['semi_lagrangian_lost'].max():.1f}{stopped}"
+        )
+    alternative = f"{'. '.join(word[0].upper() + word[1:] for word in told)}."
     return Drawing(figure, caption, alternative)
 
 
