@@ -23,6 +23,7 @@ from rkverify.readings import (
     NODE_MOTIONS,
     STRESS_LAWS,
     SUPPORT_RADII,
+    Derivative,
     Integration,
     Readings,
 )
@@ -34,6 +35,8 @@ from rkverify.stability.lattice_state import Base
 Row = dict[str, Any]
 AGREEMENT = 1e-12
 """What is asked for, relative to the largest coefficient; rounding alone leaves some 1e-15."""
+
+BAR = "Lagrangian bar"
 
 CHOICES: dict[str, Sequence[str]] = {
     "convection": CONVECTIONS,
@@ -90,15 +93,17 @@ def _row(name: str, integration: str, R: str, gap: float, count: int) -> Row:
 
 
 def bar_rows(ratios: Sequence[str], s: str, F: str) -> list[Row]:
-    """The same for the Lagrangian bar."""
+    """The same for the Lagrangian bar, DNI in every reading of the derivative."""
     rows = []
-    for integration in ("scni", "dni"):
-        for R in ratios:
-            base = StretchedBar(R, integration, s, F)
-            one, other = stencil(base, Float()), stencil_by_complex_step(base)
-            largest = max(map(abs, other.values()))
-            gap = max(abs(one.get(n, 0.0) - c) for n, c in other.items()) / largest
-            rows.append(_row("Lagrangian bar", integration, R, gap, len(other)))
+    for integration, derivative, R in [("scni", "full", R) for R in ratios] + [
+        ("dni", derivative, R) for derivative in DERIVATIVES for R in ratios
+    ]:
+        base = StretchedBar(R, cast(Any, integration), s, F, derivative=cast(Any, derivative))
+        one, other = stencil(base, Float()), stencil_by_complex_step(base)
+        largest = max(map(abs, other.values()))
+        gap = max(abs(one.get(n, 0.0) - c) for n, c in other.items()) / largest
+        name = BAR if derivative == "full" else f"{BAR}, derivative = {derivative}"
+        rows.append(_row(name, integration, R, gap, len(other)))
     return rows
 
 
@@ -106,7 +111,7 @@ UNEVEN = tuple(Fraction(n, 10) for n in (0, 10, 19, 30, 38, 50, 60, 69, 80))
 
 
 def exact_chain(integration: Integration) -> tuple[LagrangianChain, list[Fraction]]:
-    """A finite Lagrangian bar on uneven nodes with cells between their middles, and uneven positions, in rationals."""
+    """A finite Lagrangian bar on uneven nodes with cells between their middles, and uneven displacements, in rationals."""
     K = Exact()
     A = approximation([[X] for X in UNEVEN], Fraction(7, 4), K)
     middles = [UNEVEN[0], *((p + q) / 2 for p, q in pairwise(UNEVEN)), UNEVEN[-1]]
@@ -114,13 +119,13 @@ def exact_chain(integration: Integration) -> tuple[LagrangianChain, list[Fractio
     gradients = {L: gradient(A, L, cell, integration, "full") for L, cell in cells.items()}
     shapes = {L: shape_functions(A, A.nodes[L]) for L in cells}
     chain = LagrangianChain(gradients, cells, Fraction(3, 2), Fraction(1), Fraction(1, 3), Fraction(6, 5), K, shapes)
-    return chain, [Fraction(6, 5) * X + X * (8 - X) / 97 for X in UNEVEN]
+    return chain, [X / 5 + X * (8 - X) / 97 for X in UNEVEN]
 
 
 def force_is_energy_slope(integration: Integration) -> bool:
     """Whether (49) with (51) is the derivative of the stored energy with respect to every coefficient, exactly."""
-    chain, x = exact_chain(integration)
-    D = Duals(chain.K, len(x))
+    chain, u = exact_chain(integration)
+    D = Duals(chain.K, len(u))
     dual = LagrangianChain(
         {L: {I: D.number(b) for I, b in row.items()} for L, row in chain.gradients.items()},
         {L: Cell(D.number(cell.left), D.number(cell.right)) for L, cell in chain.cells.items()},
@@ -130,8 +135,8 @@ def force_is_energy_slope(integration: Integration) -> bool:
         stretch=D.number(chain.stretch),
         K=D,
     )
-    energy = cast(Dual, dual.stored_energy([D.variable(p, I) for I, p in enumerate(x)]))
-    return all(energy.partials[I] == chain.internal_force(I, x) for I in range(len(x)))
+    energy = cast(Dual, dual.stored_energy([D.variable(p, I) for I, p in enumerate(u)]))
+    return all(energy.partials[I] == chain.internal_force(I, u) for I in range(len(u)))
 
 
 def load_totals() -> dict[str, bool]:
@@ -149,12 +154,19 @@ def load_totals() -> dict[str, bool]:
     }
 
 
-def bar_residual(mass: str, R: float = 1.75, count: int = 14) -> float:
+def bar_residual(
+    mass: str,
+    R: float = 1.75,
+    count: int = 14,
+    integration: Integration = "scni",
+    derivative: Derivative = "full",
+    stretch: float = 1.2,
+) -> float:
     """The largest residual of (48), or of (56) for the lumped mass, for accelerations of the vectorised bar, over them."""
     rng = np.random.default_rng(11)
     u = 0.05 * rng.standard_normal(count)
-    state = (1.0, 1 / 3, 1.2)
-    bar = periodic_bar(count, 1.0, R, "scni", "full", kernel("cubic"), 1, state, cast(Any, mass))
+    state = (1.0, 1 / 3, stretch)
+    bar = periodic_bar(count, 1.0, R, integration, derivative, kernel("cubic"), 1, state, cast(Any, mass))
     given = bar.acceleration(u)
     # Copies of the bar to both sides stand in for its periodicity.
     K, offset = Float(), count
@@ -163,7 +175,7 @@ def bar_residual(mass: str, R: float = 1.75, count: int = 14) -> float:
     around = range(offset - 6, offset + count + 6)
     cells = {L: Cell(X[L] - 0.5, X[L] + 0.5) for L in around}
     chain = LagrangianChain(
-        {L: gradient(A, L, cell, "scni", "full") for L, cell in cells.items()},
+        {L: gradient(A, L, cell, integration, derivative) for L, cell in cells.items()},
         cells,
         1.0,
         state[0],
@@ -172,14 +184,14 @@ def bar_residual(mass: str, R: float = 1.75, count: int = 14) -> float:
         K,
         {L: shape_functions(A, A.nodes[L]) for L in around},
     )
-    positions = [state[2] * p + float(u[J % count]) for J, p in enumerate(X)]
+    displacements = [(state[2] - 1) * p + float(u[J % count]) for J, p in enumerate(X)]
     repeated = [float(given[J % count]) for J in range(3 * count)]
     if mass == "lumped":
-        gaps = [chain.acceleration(I, positions) - repeated[I] for I in range(offset, offset + count)]
+        gaps = [chain.acceleration(I, displacements) - repeated[I] for I in range(offset, offset + count)]
     else:
-        still = [0.0] * len(positions)
+        still = [0.0] * len(displacements)
         # Without acceleration the internal force is left, which the lumped bar turns into accelerations.
-        lumped = periodic_bar(count, 1.0, R, "scni", "full", kernel("cubic"), 1, state).acceleration(u)
-        gaps = [chain.residual(offset + I, positions, repeated, 0.0) for I in range(count)]
-        gaps += [chain.residual(offset + I, positions, still, 0.0) + float(lumped[I]) for I in range(count)]
+        lumped = periodic_bar(count, 1.0, R, integration, derivative, kernel("cubic"), 1, state).acceleration(u)
+        gaps = [chain.residual(offset + I, displacements, repeated, 0.0) for I in range(count)]
+        gaps += [chain.residual(offset + I, displacements, still, 0.0) + float(lumped[I]) for I in range(count)]
     return float(max(map(abs, gaps)) / abs(given).max())

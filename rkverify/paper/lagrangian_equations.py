@@ -17,6 +17,8 @@ from rkverify.readings import Derivative, Integration
 class LagrangianChain:
     """A bar: gradients b_I^L and cells Omega_L by their number L, density rho_0 (mass per length), modulus C^SE.
 
+    Its unknowns are the displacement coefficients u_I of (8), from the reference configuration: of a homogeneous stretch
+    u_I = (stretch - 1) X_I. Gradients that do not reproduce linear fields have another F in the cells then.
     prestress: the S that the bar carries where F = stretch, so that S = prestress + C^SE (E(F) - E(stretch)) (54).
     shapes: Psi_I(X_L) by L, where the consistent mass or loads are wanted.
     """
@@ -30,9 +32,9 @@ class LagrangianChain:
     K: Arithmetic
     shapes: Mapping[int, Values] = field(default_factory=dict)
 
-    def deformation_gradient(self, L: int, positions: Sequence[Scalar]) -> Scalar:
-        """F at a cell: sum_I b_I^L x_I, which is 1 + sum_I b_I^L u_I (14), (16)."""
-        return sum((b * positions[I] for I, b in self.gradients[L].items()), self.K.zero())
+    def deformation_gradient(self, L: int, u: Sequence[Scalar]) -> Scalar:
+        """F at a cell, e + 1 with e = sum_I b_I^L u_I, (14) and (16) in one dimension."""
+        return sum((b * u[I] for I, b in self.gradients[L].items()), self.K.number(1))
 
     def stress(self, F: Scalar) -> Scalar:
         """P = S F with Delta S = C^SE Delta E (53)-(55)."""
@@ -40,20 +42,20 @@ class LagrangianChain:
         return first_piola_kirchhoff(S, F)
 
     @equation(49, 51)
-    def internal_force(self, node: int, positions: Sequence[Scalar]) -> Scalar:
+    def internal_force(self, node: int, u: Sequence[Scalar]) -> Scalar:
         """f_I = sum_L b_I^L P(X_L) A_L   (49), integrated at the nodes (51)."""
         total = self.K.zero()
         for L, cell in self.cells.items():
             b = self.gradients[L]
             if node in b and not self.K.is_zero(b[node]):
-                total = total + b[node] * self.stress(self.deformation_gradient(L, positions)) * cell.measure
+                total = total + b[node] * self.stress(self.deformation_gradient(L, u)) * cell.measure
         return total
 
-    def stored_energy(self, positions: Sequence[Scalar]) -> Scalar:
+    def stored_energy(self, u: Sequence[Scalar]) -> Scalar:
         """sum_L w(F_L) A_L with dw/dF = P: w = (prestress - C^SE E(stretch)) E + C^SE E^2 / 2."""
         total = self.K.zero()
         for L, cell in self.cells.items():
-            E = green_strain(self.deformation_gradient(L, positions))
+            E = green_strain(self.deformation_gradient(L, u))
             held = self.prestress - self.modulus * green_strain(self.stretch)
             total = total + (held * E + self.modulus * E * E / 2) * cell.measure
         return total
@@ -67,11 +69,9 @@ class LagrangianChain:
         return total
 
     @equation(48)
-    def residual(
-        self, node: int, positions: Sequence[Scalar], accelerations: Sequence[Scalar], external: Scalar
-    ) -> Scalar:
+    def residual(self, node: int, u: Sequence[Scalar], accelerations: Sequence[Scalar], external: Scalar) -> Scalar:
         """sum_J M_IJ u_J'' + f_int - f_ext   (48), with M_IJ = sum_L rho_0 Psi_I(X_L) Psi_J(X_L) A_L."""
-        total = self.internal_force(node, positions) - external
+        total = self.internal_force(node, u) - external
         for L, cell in self.cells.items():
             Psi = self.shapes[L]
             if node in Psi:
@@ -80,9 +80,9 @@ class LagrangianChain:
         return total
 
     @equation(56)
-    def acceleration(self, node: int, positions: Sequence[Scalar]) -> Scalar:
+    def acceleration(self, node: int, u: Sequence[Scalar]) -> Scalar:
         """u_I'' = -f_I / m_I with the lumped mass m_I = rho_0 A_I and no external force   (56)."""
-        return -self.internal_force(node, positions) / (self.rho_0 * self.cells[node].measure)
+        return -self.internal_force(node, u) / (self.rho_0 * self.cells[node].measure)
 
 
 def gradient(A: Approximation, L: int, cell: Cell, integration: Integration, derivative: Derivative) -> Values:

@@ -1,6 +1,7 @@
-"""The Lagrangian bar as one matrix: gradients B (cells, nodes), F = B x, force B^T (P A)."""
+"""The Lagrangian bar as one matrix: gradients B (cells, nodes), F = 1 + B u (14), (16), force B^T (P A)."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from rkverify.solid.line import line
 
 @dataclass(frozen=True)
 class Bar:
-    """A periodic bar of evenly spaced nodes; stretch and prestress S are those of the base state; rho_0 = 1.
+    """A periodic bar of evenly spaced nodes, stretched by u = (stretch - 1) X; prestress is S where F = stretch; rho_0 = 1.
 
     mass (nodes, nodes): the consistent mass over the lumped one; None for the lumped mass itself.
     """
@@ -24,9 +25,17 @@ class Bar:
     stretch: float
     mass: Array | None = None
 
+    @cached_property
+    def slope_of_places(self) -> Array:
+        """B X (N,), with the nearest copy of each node: 1 where the gradients reproduce linear fields; dimensionless."""
+        # Rows of B sum to zero by symmetry, so that places count from the cell's own node.
+        count = len(self.gradients)
+        apart = np.arange(count)[None, :] - np.arange(count)[:, None]
+        return np.asarray((self.gradients * (apart - np.round(apart / count) * count)).sum(axis=1) * self.spacing)
+
     def acceleration(self, displacements: Array) -> Array:
         """u'' of every node for displacements from the stretched state (N,), real or complex."""
-        F = self.stretch + self.gradients @ displacements
+        F = 1 + (self.stretch - 1) * self.slope_of_places + self.gradients @ displacements
         S = self.prestress + self.modulus * (F * F - self.stretch**2) / 2
         force = -(self.gradients.T @ (S * F))
         return force if self.mass is None else np.linalg.solve(self.mass, force)

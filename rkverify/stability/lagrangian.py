@@ -20,7 +20,10 @@ from rkverify.solid.bar import Bar, periodic_bar
 
 @dataclass(frozen=True)
 class StretchedBar:
-    """R = a/h, S/C^SE and F dimensionless, h a length; rho_0 = C^SE = 1."""
+    """Nodes h apart, moved by u_I = (stretch - 1) X_I; R = a/h, S/C^SE and stretch dimensionless; rho_0 = C^SE = 1.
+
+    stress_ratio is S/C^SE where F = stretch, as F of the cells is unless the reading's gradients do not reproduce X.
+    """
 
     support_ratio: Scalar
     integration: Integration
@@ -39,7 +42,7 @@ class StretchedBar:
 
 
 def stencil(base: StretchedBar, K: Arithmetic) -> dict[int, Scalar]:
-    """shift -> derivative of -f_I / m_I, which is u'' with the lumped mass, with respect to its neighbour's position, by duals through `paper/`."""
+    """shift -> derivative of -f_I / m_I, which is u'' with the lumped mass, with respect to its neighbour's displacement, by duals through `paper/`."""
     reach = 2 * base.reach
     centre = reach + int(rational(base.support_ratio)) + 2
     h, F, S = K.number(base.spacing), K.number(base.stretch), K.number(base.stress_ratio)
@@ -58,11 +61,11 @@ def stencil(base: StretchedBar, K: Arithmetic) -> dict[int, Scalar]:
         stretch=D.number(F),
         K=D,
     )
-    positions = [
-        D.variable(F * X, J - centre + reach) if abs(J - centre) <= reach else D.number(F * X)
+    displacements = [
+        D.variable((F - 1) * X, J - centre + reach) if abs(J - centre) <= reach else D.number((F - 1) * X)
         for J, X in enumerate(places)
     ]
-    slopes = chain.acceleration(centre, positions).partials
+    slopes = chain.acceleration(centre, displacements).partials
     return {n: slopes[n + reach] for n in range(-reach, reach + 1)}
 
 

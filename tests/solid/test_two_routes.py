@@ -5,16 +5,19 @@ each off by 2^-52 of it, times the condition number of the moment matrix, below 
 """
 
 import itertools
+from fractions import Fraction
+from typing import cast
 
 import numpy as np
 import pytest
 
-from rkverify.arithmetic.native import Float
+from rkverify.arithmetic.native import Exact, Float
 from rkverify.certify.two_routes import reading_changes
 from rkverify.kernels import KERNELS, kernel
-from rkverify.paper.approximation import approximation
+from rkverify.paper.approximation import approximation, lattice, middle
+from rkverify.paper.gradients import direct_gradient
 from rkverify.paper.shape import shape_functions, shape_gradient
-from rkverify.readings import DERIVATIVES, Readings
+from rkverify.readings import DERIVATIVES, Derivative, Readings
 from rkverify.solid.line import line
 from rkverify.stability import jacobian_paper, jacobian_solid
 from rkverify.stability.lagrangian import StretchedBar, bar, mass_stencil, stencil, stencil_by_complex_step
@@ -60,12 +63,48 @@ def test_stencils_agree_for_every_kernel_and_order(name: str, order: int) -> Non
     assert worst <= 100 ** (order - 1) * TOLERANCE * largest
 
 
-@pytest.mark.parametrize(("ratio", "integration"), list(itertools.product(RATIOS, ["scni", "dni"])))
-def test_the_lagrangian_bar_agrees(ratio: str, integration: str) -> None:
-    base = StretchedBar(ratio, integration, "1/3", "6/5", "1/2", "diffuse")
-    one, other = stencil(base, Float()), stencil_by_complex_step(base)
-    largest = max(map(abs, other.values()))
-    assert max(abs(one[n] - other[n]) for n in other) <= TOLERANCE * largest
+BARS = [("scni", "full"), *(("dni", reading) for reading in DERIVATIVES)]
+
+
+@pytest.mark.parametrize(("ratio", "bar_of"), list(itertools.product(RATIOS, BARS)))
+def test_the_lagrangian_bar_agrees(ratio: str, bar_of: tuple[str, str]) -> None:
+    """In every reading and at any stretch: both take F = 1 + sum_I b_I u_I of (14), (16), also where that is not the stretch."""
+    for stretch in ("1", "6/5", "3/5"):
+        base = StretchedBar(ratio, bar_of[0], "1/3", stretch, "1/2", bar_of[1])
+        one, other = stencil(base, Float()), stencil_by_complex_step(base)
+        largest = max(map(abs, other.values()))
+        assert max(abs(one[n] - other[n]) for n in other) <= TOLERANCE * largest
+
+
+@pytest.mark.parametrize("reading", DERIVATIVES)
+def test_displacements_and_places_have_the_same_f_where_linear_fields_are_reproduced(reading: str) -> None:
+    """The paper's F is 1 + sum_I b_I u_I. Of u = x - X it is sum_I b_I x_I where sum_I b_I X_I = 1, and is not elsewhere.
+
+    The twin of the agreement above: with the frozen readings a bar that took F = sum_I b_I x_I would have another modulus
+    C^SE F^2 + S even where nothing has moved, and one that took F = stretch there another one under stretch.
+    """
+    R, s, stretch = Fraction(5, 2), Fraction(1, 2), Fraction(6, 5)
+    K = Exact()
+    A = lattice(1, R, 4, K)
+    b = direct_gradient(A, (K.zero(),), cast(Derivative, reading))
+    places = {I: A.nodes[I][0] for I in b}
+    made = sum(b[I] * places[I] for I in b)
+    assert (made == 1) == (reading in ("full", "diffuse"))
+    for F in (1, stretch):
+        base = StretchedBar(R, "dni", s, F, derivative=cast(Derivative, reading))
+        found = stencil(base, K)
+        inside = 1 + (F - 1) * made
+        S = s + (inside**2 - F**2) / 2
+        # -sum_L b_I^L (C F^2 + S) b_J^L with b_I^L = -b_L^I on a lattice
+        rows = {I - middle(A): value for I, value in b.items()}
+        for n, value in found.items():
+            product = sum(p * rows.get(n - m, 0) for m, p in rows.items())
+            assert value == (inside**2 + S) * product
+        by_places = F * made
+        other = by_places**2 + s + (by_places**2 - F**2) / 2
+        assert (other == inside**2 + S) == (made == 1)
+        if F != 1:
+            assert (F**2 + s == inside**2 + S) == (made == 1)
 
 
 def test_the_consistent_mass_of_the_lagrangian_bar_agrees() -> None:

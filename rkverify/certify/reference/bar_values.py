@@ -66,8 +66,8 @@ class BarCase:
         chain = LagrangianChain(
             gradients, cells, number(DENSITY), number(MODULUS), number(PRESTRESS), number(STRETCH), K, shapes
         )
-        places = [number(x) for x in POSITIONS]
-        found = {f"internal_force[{I}]": chain.internal_force(I, places) for I in ALL}
+        moved = [number(x - X[0]) for x, X in zip(POSITIONS, LINE.places, strict=True)]
+        found = {f"internal_force[{I}]": chain.internal_force(I, moved) for I in ALL}
         if self.integration == "dni":
             return found
         at_end = shape_functions(A, A.nodes[-1])

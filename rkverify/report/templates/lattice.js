@@ -280,10 +280,8 @@ const rkverify = (() => {
     if (set.formulation === "lagrangian") {
       if (set.layer === "printed" && set.integration === "dni") return null;
       const b = lagrangian(set);
-      let F = 0;
-      for (const [n, value] of b.c) F -= n * value; // of the unstretched bar: 1 where linear fields are reproduced
-      const roots = ([re, im], s) => {
-        const r = root2([(s + (F * F - 1) / 2 + F * F) * (re * re + im * im), 0]);
+      const roots = ([re, im], s) => { // C^SE F^2 + S of the unstretched bar, where F = 1 + sum_I b_I u_I = 1
+        const r = root2([(1 + s) * (re * re + im * im), 0]);
         return [[r[0], -r[1]], [-r[0], r[1]]];
       };
       return { at: (kh) => b.at(kh), roots, growth: (at, s) => growth(roots(at, s)) };
