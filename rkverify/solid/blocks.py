@@ -9,7 +9,7 @@ import numpy as np
 
 from rkverify.errors import BadInput, SingularMomentMatrix, TooFewNodes
 from rkverify.solid.bases import basis_tables
-from rkverify.solid.cloud import Cloud, shown
+from rkverify.solid.cloud import Cloud, checked_positions, shown
 from rkverify.solid.compiled_shape import FEW, FINE, moment_stage
 from rkverify.solid.compiled_weights import kernel_stage, offset_stage, weight_stage
 from rkverify.solid.kernel_data import kernel_data
@@ -99,6 +99,7 @@ def _edges(starts: Array) -> list[int]:
 
 
 def _refuse(cloud: Cloud, x: Array, point: int, fault: int, number: int, left: float) -> NoReturn:
+    checked_positions(cloud.positions, "node")  # of nodes that moved: nothing covers what is not finite
     place, m = f"point {point} at ({shown(x[point])})", basis_tables(cloud.dimension, cloud.order).size
     if fault == FEW:
         what = (
@@ -107,8 +108,25 @@ def _refuse(cloud: Cloud, x: Array, point: int, fault: int, number: int, left: f
             else f"is covered by the supports of {number} {'nodes' if number > 1 else 'node'}"
         )
         raise TooFewNodes(f"{place} {what}; order {cloud.order} needs {m}: enlarge supports or add nodes there")
-    where = " (are the nodes under the support on one line or in one plane?)" if cloud.dimension > 1 else ""
-    raise SingularMomentMatrix(
-        f"the moment matrix of {place} is singular: pivot {number} keeps {left:.1e} of its diagonal entry{where}: "
-        "enlarge supports, move nodes or lower the order"
+    where = _flatness(cloud, x[point])
+    # A diagonal entry is zero where all nodes have the point's own coordinate: nothing is kept of it.
+    kept = f"pivot {number} keeps {left if np.isfinite(left) else 0.0:.1e} of its diagonal entry"
+    advice = "add nodes beside it, or enlarge supports" if where else "enlarge supports, move nodes or lower the order"
+    raise SingularMomentMatrix(f"the moment matrix of {place} is singular: {where or kept}: {advice}")
+
+
+def _flatness(cloud: Cloud, x: Array) -> str:
+    """Words for the line or plane that the nodes covering a point lie in to rounding, empty where they fill the space."""
+    apart = cloud.positions.real - x.real
+    distance = abs(apart).max(axis=1) if cloud.window == "tensor" else np.linalg.norm(apart, axis=1)
+    covering = apart[distance < cloud.supports]
+    about = covering - covering.mean(axis=0)
+    sizes = np.linalg.svd(about, compute_uv=False)
+    # Coordinates carry the rounding of the largest of them, singular values that of all nodes.
+    noise = len(covering) * np.finfo(float).eps * max(abs(covering).max(), abs(x).max())
+    rank = int((sizes > noise).sum())
+    if rank >= cloud.dimension:
+        return ""
+    return (
+        f"the {len(covering)} nodes whose supports cover it lie {('at one place', 'on one line', 'in one plane')[rank]}"
     )

@@ -17,6 +17,7 @@ from rkverify.paper.approximation import approximation
 from rkverify.readings import DERIVATIVES, WINDOWS, Derivative, Window
 from rkverify.solid.cloud import Cloud, cloud
 from rkverify.solid.kernel_values import Array
+from rkverify.solid.kinks import refuse_kinks
 from rkverify.solid.neighbours import Neighbours
 from rkverify.solid.shape import condition_numbers, shape
 
@@ -288,11 +289,50 @@ def test_the_first_of_many_gaps_is_named() -> None:
         shape(cloud(X, 1.2, order=0), x)
 
 
+@pytest.mark.parametrize(
+    ("nodes", "words"),
+    [
+        ([[0.1 * k, 0.2 * k] for k in range(6)], "6 nodes whose supports cover it lie on one line"),
+        ([[0.1 * k, 0.5] for k in range(6)], "6 nodes whose supports cover it lie on one line"),
+        ([[0.25, 0.2 * k] for k in range(5)], "5 nodes whose supports cover it lie on one line"),
+        ([[0.25, 0.2 * k, 1e3] for k in range(5)], "5 nodes whose supports cover it lie on one line"),
+        (
+            [[i, j, i + j] for i in (0.1, 0.2, 0.4) for j in (0.5, 0.6)],
+            "6 nodes whose supports cover it lie in one plane",
+        ),
+    ],
+)
+@pytest.mark.parametrize("window", ["radial", "tensor"])
+def test_nodes_on_a_line_or_in_a_plane_are_said_to_be(nodes: list, words: str, window: str) -> None:
+    """On a line along an axis through the point a diagonal entry is zero, and nothing is kept of it but 0/0: no number to read.
+
+    Decides that the message names the reason. The twin: on a circle (test below) they lie on no line, and a pivot is named.
+    """
+    x = np.array([[0.25, 0.5, 1e3 if nodes[0][-1] == 1e3 else 0.75][: len(nodes[0])]])
+    with pytest.raises(SingularMomentMatrix) as error:
+        shape(cloud(nodes, 1, window=window), x)
+    said = str(error.value)
+    place = ", ".join(f"{c:.6g}" for c in x[0])
+    assert (
+        said
+        == f"the moment matrix of point 0 at ({place}) is singular: the {words}: add nodes beside it, or enlarge supports"
+    )
+
+
+def test_a_node_that_went_astray_is_named() -> None:
+    """Nodes in motion are not checked at every step: what they no longer cover is no gap, but a node without a place."""
+    c = cloud(PLANE, 2)
+    lost = c.positions.copy()
+    lost[2] = np.nan
+    with pytest.raises(BadInput, match=r"^node 2 is at \(nan, nan\): every coordinate must be finite$"):
+        shape(c.at(lost), np.array([[0.5, 0.5]]), neighbours=Neighbours(np.array([0, 3]), np.array([0, 1, 2])))
+
+
 def test_collinear_nodes_are_refused_and_one_beside_the_line_heals() -> None:
     line = [[0.1 * k, 0.2 * k] for k in range(6)]
     x = np.array([[0.25, 0.5]])
     with pytest.raises(
-        SingularMomentMatrix, match=r"moment matrix of point 0 at \(0.25, 0.5\) is singular: pivot 2 keeps"
+        SingularMomentMatrix, match=r"moment matrix of point 0 at \(0.25, 0.5\) is singular: the 6 nodes"
     ):
         shape(cloud(line, 1), x)
     assert condition_numbers(cloud(line, 1), x)[0] > 1 / (10 * EPSILON)
@@ -361,6 +401,20 @@ def test_the_tent_has_no_gradient_at_its_kinks(x: float, window: Window) -> None
     assert abs(shape(c, at + 0.01 + 1j * STEP).values.imag / STEP - beside.gradients[:, 0]).max() < 1e-13
     with pytest.raises(NotDifferentiable):
         shape(c, at + 0.01, 2)
+
+
+def test_a_kink_beyond_the_support_is_none() -> None:
+    """The tensor window ends in each axis: above the support the function is zero around, whatever the other axis does.
+
+    The twins: at the edge itself, and below it, the joint counts.
+    """
+    c = cloud([[0.0, 0.0]], 1.0, "tent", window="tensor")
+    for x, y, refused in ((0.0, 1.5, False), (0.3, 1.5, False), (0.0, 0.5, True), (0.3, 1.0, True), (0.3, 0.5, False)):
+        if refused:
+            with pytest.raises(NotDifferentiable, match="of node 0 has a joint or peak exactly at point 0"):
+                refuse_kinks(c, np.array([[x, y]]), 1)
+        else:
+            refuse_kinks(c, np.array([[x, y]]), 1)
 
 
 @pytest.mark.parametrize("x", [1.0, 1.75, 2.5], ids=["node", "joint", "edge"])

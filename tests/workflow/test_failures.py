@@ -5,6 +5,10 @@ Status 1: something is wrong with results; 2: with what was asked for. Whoever r
 
 import pytest
 
+from rkverify.errors import UnknownName
+from rkverify.paths import checkout
+from rkverify.workflow.discovery import MENTIONED, choose, study_names
+
 COMPUTE = "def compute(p):"
 RAISING = {
     "in_compute": (COMPUTE, f"{COMPUTE}\n    raise RuntimeError('made up')"),
@@ -84,6 +88,23 @@ def test_an_unknown_study_is_one_line(command, fresh):
     assert line == "rkverify: unknown study 'figure99': choose one of gradients, phases, tents"
     assert (done.returncode, done.stdout) == (2, "")
     assert not fresh.results.exists()
+
+
+@pytest.mark.parametrize(
+    ("typed", "meant"), [("figre4", "figure4"), ("theorem", "theorems"), ("stability_layer", "stability_layers")]
+)
+def test_a_slip_in_the_name_of_a_study_is_answered_by_the_name_that_was_meant(typed: str, meant: str) -> None:
+    """Among many studies a few like it are named, the nearest first: decides that a slip is mended from one short line."""
+    place = checkout()
+    with pytest.raises(UnknownName) as error:
+        choose(place, [typed])
+    said = str(error.value)
+    assert said.startswith(
+        f"unknown study {typed!r}: choose one of those that `rkverify list` shows, such as {meant}, "
+    )
+    assert len(said.split("such as ")[1].split(", ")) == MENTIONED < len(study_names(place))
+    assert len(said) < 200
+    assert "\n" not in said
 
 
 @pytest.mark.parametrize("count", ["0", "-1", "two"])
