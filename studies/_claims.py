@@ -106,7 +106,7 @@ def _statement(claim: Claim, layer: str, part: "pd.DataFrame") -> Statement:
     return Statement(
         key,
         claim.about,
-        f"{claim.says}: the rule asks for {claim.wants} {word}; found: {told}.",
+        f"“{claim.says}” asks for {claim.wants} {word}; found: {told}.",
         bool(holds) if claim.decides or not holds else None,
         _tried(part),
         "sampled",

@@ -141,7 +141,7 @@ def _in_motion(t: Teller) -> None:
         t.say(
             f"sign_of_Q_{rate}".replace("-", "_"),
             ("C43",),
-            "With N and SCNI the waves kh = pi/2 have the growth Q beta/2 with beta < 0 at every R while |Q| is small: one sign of Q damps them, the other drives them.",
+            "While |Q| is small N gives the SCNI waves kh = pi/2 the growth Q beta/2 with a number beta < 0 at every R: Q > 0 damps them, Q < 0 drives them.",
             False,
             f"kh = pi/2, all 1 < R < 2, C + sigma > 0, coefficients held still; {CUBIC}",
             (f"damping-{rate}", "scni-gradient-not-zero"),
@@ -150,7 +150,7 @@ def _in_motion(t: Teller) -> None:
         t.say(
             f"compression_with_N_{rate}".replace("-", "_"),
             ("C4", "C56", "C57", "C69"),
-            "In compression at a rate Q < 0 N drives the waves kh = pi/2 with the growth Q beta/2 > 0 while |Q| is small; without N they do not grow.",
+            "In compression, Q < 0, N drives the SCNI waves kh = pi/2: while |Q| is small their growth is Q beta/2 > 0, with a number beta < 0 at every R; without N they do not grow.",
             False,
             f"kh = pi/2, all 1 < R < 2, C + sigma > 0, coefficients held still; {CUBIC}",
             (f"damping-{rate}", "scni-gradient-not-zero"),

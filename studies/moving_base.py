@@ -241,7 +241,7 @@ def _on_n(changes: "pd.DataFrame", layer: str, with_n: str, reading: str, where:
                 Statement(
                     f"{name}_{key}_{sign.split(',')[0]}",
                     about,
-                    f"With {words} and Q = {part['Q'].iloc[0]} c/h N changes the growth of SCNI waves by {_told(scni)} c/h; {rule}.",
+                    f"With {words} and Q = {part['Q'].iloc[0]} c/h N makes {int((scni['change'] > 0).sum())} of {len(scni)} SCNI waves grow faster: it changes their growth by {_told(scni)} c/h; {rule}.",
                     holds,
                     where,
                     "sampled",
@@ -258,8 +258,8 @@ def _on_n(changes: "pd.DataFrame", layer: str, with_n: str, reading: str, where:
         Statement(
             f"sign_of_Q_{key}",
             ("C43",),
-            f"With {words} N damps with one sign of Q and drives with the other in {opposite} of {len(scni)} SCNI waves; growth changes by up to {gap:.3g} c/h when Q changes its sign. "
-            "The rule: the sign does not matter where N does the same for both.",
+            f"With {words} N damps {opposite} of {len(scni)} SCNI waves under one sign of Q and drives them under the other: their growth changes by up to {gap:.3g} c/h when Q changes its sign. "
+            "The sign would not matter if N did the same under both.",
             opposite == 0,
             where,
             "sampled",

@@ -41,7 +41,7 @@ def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
     squares = consequences.scni_as_squares() == 0
     gain = {name: consequences.convective_gain(D) == 0 for name, D in (("SCNI", scni), ("DNI", dni))}
     even = consequences.is_even_in(scni, consequences.Q)
-    at_pi, still = consequences.dni_at_pi(False), consequences.dni_at_pi(True)
+    at_pi, still = (consequences.as_printed(consequences.dni_at_pi(at_rest)) for at_rest in (False, True))
     at_pi_as_expected = consequences.dni_vanishes_with_the_stress_term()
 
     def proved(

@@ -194,18 +194,41 @@ def _turns(turns: Any, function: str, kernel: str, derivative: str) -> list[floa
     return [float(zero) for zero in part["zero"]]
 
 
+_WORDS = {"1": "positive", "-1": "negative"}
+
+
+def _signs(signs: str, zeros: str) -> str:
+    """Signs between zeros in words.
+
+    >>> _signs("-1 1", "1.5"), _signs("-1 -1", "1.5"), _signs("1 -1 1", "1.2 1.4")
+    ('negative up to R = 1.5, positive from there on', 'negative throughout', 'positive up to R = 1.2, negative from there to R = 1.4, positive from there on')
+    >>> _signs("1 -1", "1.2 1.4")
+    'positive, negative in turn, with zeros at R = 1.2 1.4'
+    """
+    each = [_WORDS[sign] for sign in signs.split()]
+    if len(set(each)) == 1:
+        return f"{each[0]} throughout"
+    places = zeros.split()
+    if len(places) == len(each) - 1:
+        return f"{each[0]} up to R = {places[0]}" + "".join(
+            f", {word} from there {f'to R = {end}' if end else 'on'}"
+            for word, end in zip(each[1:], [*places[1:], ""], strict=True)
+        )
+    return f"{', '.join(each)} in turn, with zeros at R = {zeros}"
+
+
 def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
     """Whether the sign of sigma Psi,xx(h) decides the method's stability as it decides (87)'s."""
     statements = []
     for row in tables["agreement"].frame.itertuples():
-        constant = {"1": "is positive throughout", "-1": "is negative throughout"}
-        word = constant.get(str(row.method), f"has the signs {row.method}, turning at R = {row.zeros}")
-        verdict = "agree for every R" if row.same else "do not agree"
+        method = _signs(str(row.method), str(row.zeros))
+        opposite = _signs(str(row.printed), str(row.zeros))  # of -4 Psi,xx(h)
+        verdict = "decides" if row.same else "does not decide"
         statements += [
             Statement(
                 f"{name}_{row.derivative}_{layer}",
                 (about,),
-                f"At rest the signs of -sigma Psi,xx(h) and of omega^2(pi) of the linearised equations {verdict}; omega^2(pi)/sigma of the method {word}.",
+                f"At rest omega^2(pi)/sigma of the linearised equations is {method}, and -Psi,xx(h) is {opposite}: the sign of sigma Psi,xx(h) {verdict} whether the wave kh = pi grows.",
                 bool(row.same),
                 f"all 1 < R < {p.decided_upper}, Q = 0, kh = pi; {p.decided_kernel} kernel, linear basis",
                 "proved",

@@ -160,6 +160,22 @@ def dni_at_pi(without_convection: bool) -> sympy.Expr:
     return sympy.factor(D.subs(Q, 0) if without_convection else D)
 
 
+IN_PRINT = {"**": "^", "Psi_xx_h": "Psi,xx(h)", "Psi_x_h": "Psi,x(h)", "slope_h": "phi'(h)", "C_h": "C(h)", "*": " "}
+"""How an expression names the values on the lattice -> how the paper does."""
+
+
+def as_printed(expression: sympy.Expr) -> str:
+    """An expression with the names that the paper has for its symbols.
+
+    >>> as_printed(-16 * VALUES.Psi_xx_h * SIGMA / RHO)
+    '-16 Psi,xx(h) sigma/rho'
+    """
+    words = str(expression)
+    for ours, theirs in IN_PRINT.items():
+        words = words.replace(ours, theirs)
+    return words
+
+
 def dni_still_over_one_minus_cosine() -> sympy.Expr:
     """D of (85) at Q = 0 over 1 - cos kh, as an expression in c = cos kh."""
     c = sympy.Symbol("c", real=True)
