@@ -18,7 +18,7 @@ from rkverify.stability.bloch.lattices import Lattice
 from rkverify.stability.bloch.scheme import Scheme
 
 Integrals = Callable[[Array, Array], tuple[csr_array, ...]]
-"""Positions (P, 2) and measures (P,), real or complex, to a_L b_iI^L for both axes (cells, P)."""
+"""Positions (P, d) and measures (P,), real or complex, to a_L b_iI^L for every axis (cells, P)."""
 
 
 def room(positions: Array) -> Box:
@@ -27,15 +27,14 @@ def room(positions: Array) -> Box:
 
 
 def areas(lattice: Lattice) -> tuple[Array, float]:
-    """The areas of the Voronoi cells of a period (n,), and how far a vertex is from the node of its cell at most."""
+    """The areas or volumes of the Voronoi cells of a period (n,), and how far a vertex is from the node of its cell at most."""
     # No cell's vertex is farther from its node than the largest empty circle's radius, at most half a period's diagonals.
     patch = lattice.around(1.01 * float(np.linalg.norm(lattice.periods, axis=1).sum()))
     cells = voronoi(patch.positions, room(patch.positions))
-    own = facets_of(cells, np.arange(len(lattice)))
-    corners = cells.corners.reshape(-1, 2)[own].ravel()
-    which = np.repeat(cells.sides[own], 2, axis=0)
+    own = facets_alone(cells, facets_of(cells, np.arange(len(lattice))))
+    which = np.repeat(own.sides, np.diff(own.starts), axis=0)
     apart = [
-        np.linalg.norm(cells.vertices[corners] - patch.positions[side], axis=1)[(side >= 0) & (side < len(lattice))]
+        np.linalg.norm(cells.vertices[own.corners] - patch.positions[side], axis=1)[(side >= 0) & (side < len(lattice))]
         for side in which.T
     ]
     return cells.measures[: len(lattice)], float(np.concatenate(apart).max())
@@ -47,7 +46,7 @@ def facets_of(cells: Cells, chosen: Array) -> Array:
 
 
 def conforming(scheme: Scheme, positions: Array, cells: Cells, chosen: Array) -> Array:
-    """a_L b_iI^L (cells, P, 2) of the chosen cells, whose other cells may lie where nothing is defined."""
+    """a_L b_iI^L (cells, P, d) of the chosen cells, whose other cells may lie where nothing is defined."""
     alone = facets_alone(cells, facets_of(cells, chosen))
     whole = scni(scheme.cloud(positions), alone, scheme.rule)
     return np.stack([part[chosen].toarray() for part in whole.parts], axis=2) * cells.measures[chosen, None, None]
@@ -59,7 +58,7 @@ def moving(scheme: Scheme, positions: Array, chosen: Array) -> Integrals:
 
     def direct(x: Array, a: Array) -> tuple[csr_array, ...]:
         Psi = shape(scheme.cloud(x), x[chosen], 1, scheme.derivative, known)
-        return tuple(diags_array(a[chosen]) @ Psi.gradient_matrix(axis) for axis in range(2))
+        return tuple(diags_array(a[chosen]) @ Psi.gradient_matrix(axis) for axis in range(x.shape[1]))
 
     def boxed(x: Array, a: Array) -> tuple[csr_array, ...]:
         whole = scni(scheme.cloud(x), boxes(x[chosen], a[chosen]), scheme.rule)

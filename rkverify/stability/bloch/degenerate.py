@@ -21,7 +21,7 @@ from rkverify.solid.kernel_values import Array
 from rkverify.solid.voronoi import moved, topology, voronoi
 from rkverify.stability.bloch.cell_integrals import conforming, facets_of, room
 from rkverify.stability.bloch.lattices import Lattice, Patch
-from rkverify.stability.bloch.linearised import STEP
+from rkverify.stability.bloch.measure_slopes import STEP
 from rkverify.stability.bloch.scheme import Scheme
 
 

@@ -14,19 +14,18 @@ import numpy as np
 
 from rkverify.errors import BadInput
 from rkverify.solid.cell_topology import Topology
+from rkverify.solid.cells import Cells
 from rkverify.solid.kernel_values import Array
-from rkverify.solid.voronoi import moved, topology, voronoi
+from rkverify.solid.voronoi import voronoi
 from rkverify.stability.bloch.cell_integrals import areas, conforming, dense, moving, room
 from rkverify.stability.bloch.lattices import Lattice, Patch
+from rkverify.stability.bloch.measure_slopes import STEP, cells_of, measure_slopes
 from rkverify.stability.bloch.scheme import Scheme
-
-STEP = 1e-30
-"""Imaginary step: no difference is formed, so that it may be far below rounding."""
 
 
 @dataclass(frozen=True)
 class Coupling:
-    """Values (E, 2, …) between rows (E,) and columns (E,), both nodes of a period, the column's copy at the offsets (E, 2)."""
+    """Values (E, d, …) between rows (E,) and columns (E,), both nodes of a period, the column's copy at the offsets (E, d)."""
 
     rows: Array
     columns: Array
@@ -38,7 +37,7 @@ class Coupling:
 class Linearised:
     """One period: cell measures a (n,), masses m (n,), b_jI^L (L to I) and sum_L d(a_L b_jI^L)/dx_lJ (I to J, last axes j, l).
 
-    Units: area, mass, 1/length, 1 (length^0).
+    Units: length^d, mass, 1/length, length^(d-2).
     """
 
     measures: Array
@@ -55,15 +54,18 @@ def linearised(lattice: Lattice, scheme: Scheme) -> Linearised:
     """Gradients and their derivatives; raises BadInput for order 0, and what `shape` raises: TooFewNodes, NotDifferentiable, …."""
     if scheme.order == 0:
         raise BadInput("order 0 does not reproduce linear motions: choose order 1 or 2")
+    d = lattice.dimension
     a, reach = areas(lattice)
-    inner = scheme.reach + (0.0 if scheme.integration == "dni" else max(reach, float((a.max() / 2) ** 0.5)))
+    # the corner of a square or cube of measure a is d^(1/2)/2 of its side away
+    corner = float((d / 4) ** 0.5 * a.max() ** (1 / d))
+    inner = scheme.reach_in(d) + (0.0 if scheme.integration == "dni" else max(reach, corner))
     if scheme.integration == "scni":
         patch = lattice.around(inner + 2 * reach + 1e-6)
         home = np.arange(len(lattice))
         cells = voronoi(patch.positions, room(patch.positions))
         B = conforming(scheme, patch.positions, cells, home)
         nothing = np.zeros(0, int)
-        geometric = Coupling(nothing, nothing, np.zeros((0, 2)), np.zeros((0, 2, 2)))
+        geometric = Coupling(nothing, nothing, np.zeros((0, d)), np.zeros((0, d, d)))
     else:
         cells_reach = max(inner, 2 * reach) + 1e-6
         patch = lattice.around(cells_reach + max(inner, 2 * reach) + 1e-6)
@@ -89,7 +91,7 @@ def _geometric(lattice: Lattice, scheme: Scheme, patch: Patch, a: Array, cells_r
     """Each node of the period moves in turn, along each axis; forces are read at all nodes of the patch."""
     x, count = patch.positions, len(lattice)
     measures = a[patch.basis]
-    cells = topology(x, room(x)) if scheme.cell_measure == "edges" else None
+    cells = cells_of(x) if scheme.cell_measure == "edges" else None
     rows, columns, offsets, values = [], [], [], []
     for J in range(count):
         slopes = node_slopes(scheme, x, measures, J, cells_reach, cells)
@@ -101,21 +103,25 @@ def _geometric(lattice: Lattice, scheme: Scheme, patch: Patch, a: Array, cells_r
     return Coupling(np.concatenate(rows), np.concatenate(columns), np.concatenate(offsets), np.concatenate(values))
 
 
-def node_slopes(scheme: Scheme, x: Array, measures: Array, J: int, reach: float, cells: Topology | None) -> Array:
-    """sum_L d(a_L b_jI^L)/dx_lJ for all nodes I at x (P, 2): (P, j, l), from the cells closer than `reach` to node J.
+def node_slopes(
+    scheme: Scheme, x: Array, measures: Array, J: int, reach: float, cells: Topology | Cells | None
+) -> Array:
+    """sum_L d(a_L b_jI^L)/dx_lJ for all nodes I at x (P, d): (P, j, l), from the cells closer than `reach` to node J.
 
-    cells: the Voronoi cells' topology where the reading of the measures is `edges`.
+    cells: the Voronoi cells' topology, in space the cells, where the reading of the measures is `edges`.
     """
     chosen = np.flatnonzero(np.linalg.norm(x - x[J], axis=1) < reach)
     of = moving(scheme, x, chosen)
     own = [part[:, [J]].toarray()[:, 0] for part in of(x, measures)] if scheme.cell_measure == "material" else None
-    slopes = np.zeros((len(x), 2, 2))
-    for axis in range(2):
+    grown = measure_slopes(x, cells, J) if cells is not None else None
+    d = x.shape[1]
+    slopes = np.zeros((len(x), d, d))
+    for axis in range(d):
         there = x.astype(complex)
         there[J, axis] += 1j * STEP
         changed = measures.astype(complex)
-        if cells is not None:
-            changed = changed + 1j * moved(cells, there).measures.imag
+        if grown is not None:
+            changed = changed + 1j * STEP * grown[:, axis]
         elif own is not None:  # a' = a tr L = a sum_J b_lJ v_lJ
             changed[chosen] += 1j * STEP * own[axis]
         for j, part in enumerate(of(there, changed)):

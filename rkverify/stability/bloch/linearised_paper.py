@@ -12,16 +12,17 @@ from rkverify.paper.smoothing import direct_gradients, smoothed_gradients
 from rkverify.stability.bloch.lattices import Lattice
 from rkverify.stability.bloch.scheme import Scheme
 
-Slopes = dict[tuple[float, float], list[list[float]]]
+Slopes = dict[tuple[float, ...], list[list[float]]]
 """Place of node I, to 9 decimals, to the derivatives of sum_L a_L b_jI^L with respect to x_lJ [j][l]."""
 
 
 def slopes(lattice: Lattice, scheme: Scheme, J: int, radius: float) -> Slopes:
-    """sum_L d(a_L b_jI^L)/dx_lJ for node J of the period, of DNI and SNNI, from the nodes within 2 radii of it.
+    """sum_L d(a_L b_jI^L)/dx_lJ for node J of the period, of DNI, and of SNNI in the plane, from the nodes within 2 radii of it.
 
     radius: more than how far cells are that the node reaches, and than how far their nodes are from them.
     """
-    D = Duals(Float(), 2)
+    d = lattice.dimension
+    D = Duals(Float(), d)
     centre = [float(c) for c in lattice.nodes[J]]
     patch = [p for p in lattice.around(2 * radius).positions.tolist() if _apart(p, centre) < 2 * radius]
     nodes = [_place(p, centre, D) for p in patch]
@@ -32,10 +33,10 @@ def slopes(lattice: Lattice, scheme: Scheme, J: int, radius: float) -> Slopes:
         if _apart(place, centre) < radius:
             b = _gradients(scheme, A, L, domain, D)
             for I in b[0]:
-                sums = total.setdefault(I, [D.zero(), D.zero()])
+                sums = total.setdefault(I, [D.zero() for _ in range(d)])
                 total[I] = [s + part.get(I, D.zero()) for s, part in zip(sums, b, strict=True)]
     return {
-        (round(patch[I][0], 9), round(patch[I][1], 9)): [[float(p) for p in s.partials] for s in sums]
+        tuple(round(c, 9) for c in patch[I]): [[float(p) for p in s.partials] for s in sums]
         for I, sums in total.items()
     }
 
@@ -47,11 +48,11 @@ def _place(p: list[float], centre: list[float], D: Duals) -> Vector:
 
 
 def _apart(p: list[float], q: list[float]) -> float:
-    return float(((p[0] - q[0]) ** 2 + (p[1] - q[1]) ** 2) ** 0.5)
+    return float(sum((a - b) ** 2 for a, b in zip(p, q, strict=True)) ** 0.5)
 
 
 def _gradients(scheme: Scheme, A: Approximation, L: int, domain: Polytope, K: Duals) -> list[Values]:
-    """a_L b_jI^L for both axes."""
+    """a_L b_jI^L for every axis."""
     x = A.nodes[L]
     # Nearest nodes cut first: cuts far away would leave corners that are only known to their own rounding.
     near = sorted(A.nodes, key=lambda p: sum(K.witness(c) ** 2 for c in minus(p, x)))

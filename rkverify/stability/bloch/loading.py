@@ -1,4 +1,4 @@
-"""The stress that is there and what a small motion adds to it: sigma' = C : D + a corotation, in plane strain."""
+"""The stress that is there and what a small motion adds to it: sigma' = C : D + a corotation, in plane strain or in space."""
 
 from dataclasses import dataclass
 from math import isfinite
@@ -18,31 +18,37 @@ UNIT = Moduli(1.0, 1.0)
 
 @dataclass(frozen=True)
 class Loading:
-    """A uniform Cauchy stress (xx, yy, xy), moduli, and the rate that the law is written in. Raises BadInput, UnknownName.
+    """A uniform Cauchy stress, (xx, yy, xy) in the plane and (xx, yy, zz, xy, xz, yz) in space, moduli, and the rate that the law is written in. Raises BadInput, UnknownName.
 
     truesdell: sigma' = C : D + L sigma + sigma L^T - tr(L) sigma; jaumann: sigma' = C : D + W sigma + sigma W^T.
     """
 
-    stress: tuple[float, float, float]
+    stress: tuple[float, ...]
     moduli: Moduli = UNIT
     law: PlaneStressLaw = "truesdell"
 
     def __post_init__(self) -> None:
         if self.law not in PLANE_STRESS_LAWS:
             raise UnknownName("stress law", self.law, PLANE_STRESS_LAWS)
+        if len(self.stress) not in (3, 6):
+            raise BadInput(f"{len(self.stress)} components of stress: give 3 in the plane, 6 in space")
         if not all(isfinite(part) for part in self.stress):
-            raise BadInput(f"the stress {self.stress} is not finite: give three numbers")
+            raise BadInput(f"the stress {self.stress} is not finite: give finite numbers")
 
     @property
     def sigma(self) -> Array:
-        """The stress (2, 2)."""
+        """The stress (d, d)."""
+        if len(self.stress) == 6:
+            xx, yy, zz, xy, xz, yz = self.stress
+            return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
         xx, yy, xy = self.stress
         return np.array([[xx, xy], [xy, yy]])
 
     @property
     def tangent(self) -> Array:
-        """T (2, 2, 2, 2) with sigma'_ij = T_ijkl L_kl, L_kl = dv_k/dx_l; units of stress."""
-        one, s = np.eye(2), self.sigma
+        """T (d, d, d, d) with sigma'_ij = T_ijkl L_kl, L_kl = dv_k/dx_l; units of stress."""
+        s = self.sigma
+        one = np.eye(len(s))
         T = self.moduli.lame * np.einsum("ij,kl->ijkl", one, one) + self.moduli.shear * (
             np.einsum("ik,jl->ijkl", one, one) + np.einsum("il,jk->ijkl", one, one)
         )

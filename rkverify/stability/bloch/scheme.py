@@ -1,4 +1,4 @@
-"""What a semi-discrete equation in the plane depends on besides its nodes."""
+"""What a semi-discrete equation in the plane or in space depends on besides its nodes."""
 
 from dataclasses import dataclass
 from math import isfinite
@@ -30,8 +30,8 @@ LARGEST = 20.0
 class Scheme:
     """Integration, support radius (length, the spacing being 1), and the readings that are left open.
 
-    cell_measure: a_L is the area of the Voronoi cell of the moving nodes (edges), grows as a' = a tr L (material), or is
-    fixed. SCNI has a_L b^L as one integral over the cell's boundary: for it the reading plays no part. SNNI has squares
+    cell_measure: a_L is the measure of the Voronoi cell of the moving nodes (edges), grows as a' = a tr L (material), or is
+    fixed. SCNI has a_L b^L as one integral over the cell's boundary: for it the reading plays no part. SNNI has squares or cubes
     of measure a_L with sides along the axes. edge_rule: trapezoid (default of scni), midpoint (default of snni), gauss:N.
     derivative: of DNI. Raises BadInput, UnknownName.
     """
@@ -80,9 +80,13 @@ class Scheme:
 
     @property
     def reach(self) -> float:
-        """How far from a node its shape function may differ from zero: for the tensor window to a square's corner."""
-        return self.support * (2**0.5 if self.window == "tensor" else 1.0)
+        """How far from a node its shape function may differ from zero in the plane."""
+        return self.reach_in(2)
+
+    def reach_in(self, dimension: int) -> float:
+        """The same in 2 or 3 dimensions: for the tensor window to the corner of a square or cube."""
+        return self.support * (dimension**0.5 if self.window == "tensor" else 1.0)
 
     def cloud(self, positions: Array) -> Cloud:
-        """The approximation on nodes (N, 2), real or complex, unchecked."""
+        """The approximation on nodes (N, d), real or complex, unchecked."""
         return Cloud(positions, np.full(len(positions), self.support), self.of_kernel, self.order, self.window)

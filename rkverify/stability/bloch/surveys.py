@@ -121,16 +121,11 @@ def chain_rows(
 
     along_axis: the largest difference of omega^2 from the chain's of a longitudinal wave along x with the tensor window.
     """
-    modulus = UNIT.lame + 2 * UNIT.shear
     kh = [float(np.pi * j / count) for j in range(1, count + 1)]
     found = []
     for method, R, state in product(methods, ratios, ("tension", "compression")):
         load = loading(state, size)
-        setting = Setting(
-            "semi-lagrangian", cast(Integration, method.integration), R, load.stress[0] / modulus, derivative=method.derivative, layer="as-defined", convective=False
-        )  # fmt: skip
-        branches = dispersion(setting, kh, Float())
-        squares = modulus * np.array([branch.omega.squared[0] for branch in branches])[::2]
+        squares, growth = on_chain(method, R, load.stress[0], kh)
         along = stiffness(
             linearised(lattice("square"), method.scheme(R, "tensor")), load, np.array([[q, 0.0] for q in kh])
         )
@@ -138,7 +133,7 @@ def chain_rows(
             "method": method.name,
             "support_ratio": R,
             "state": state,
-            "chain": modulus**0.5 * max(branch.omega.growth for branch in branches),
+            "chain": growth,
             "along_axis": float(abs(along[:, 0, 0, 0, 0] - squares).max()),
         }
         for name in lattices:
@@ -149,6 +144,17 @@ def chain_rows(
             row[column] = row[column] if row[column] > NONE else 0.0
         found.append(row)
     return found
+
+
+def on_chain(method: Method, R: str, stress: float, kh: Sequence[float]) -> tuple[Array, float]:
+    """omega^2 (len(kh),) of the chain with the modulus lambda + 2 mu under the stress, and the largest growth."""
+    modulus = UNIT.lame + 2 * UNIT.shear
+    setting = Setting(
+        "semi-lagrangian", cast(Integration, method.integration), R, stress / modulus, derivative=method.derivative, layer="as-defined", convective=False
+    )  # fmt: skip
+    branches = dispersion(setting, kh, Float())
+    squares = modulus * np.array([branch.omega.squared[0] for branch in branches])[::2]
+    return squares, modulus**0.5 * max(branch.omega.growth for branch in branches)
 
 
 def bound_rows(lattices: Sequence[str], R: str, count: int, shares: Sequence[float]) -> list[Row]:

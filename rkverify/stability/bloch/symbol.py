@@ -24,7 +24,7 @@ def known_part(name: str) -> Part:
 
 @dataclass(frozen=True)
 class Modes:
-    """omega^2 (M, 2n) in 1/time^2, complex where a pair grows and decays while it oscillates, and growth (M, 2n), 1/time.
+    """omega^2 (M, d n) in 1/time^2, complex where a pair grows and decays while it oscillates, and growth (M, d n), 1/time.
 
     The growth is the largest real part of (-omega^2)^(1/2). Modes are in ascending order of the real part of omega^2, then
     of the imaginary part. What is within rounding of zero, `rounding` (M,), is zero.
@@ -36,7 +36,7 @@ class Modes:
 
 
 def waves(coupling: Coupling, count: int, k: Array) -> Array:
-    """sum over offsets r of values e^{i k . r}: (M, count, count, …) for wave vectors k (M, 2)."""
+    """sum over offsets r of values e^{i k . r}: (M, count, count, …) for wave vectors k (M, d)."""
     flat = coupling.values.reshape(len(coupling.values), -1)
     place = np.zeros((len(flat), count * count, flat.shape[1]))
     place[np.arange(len(flat)), coupling.rows * count + coupling.columns] = flat
@@ -51,13 +51,13 @@ def strain_waves(of: Linearised, k: Array) -> Array:
 
 
 def stiffness(of: Linearised, loading: Loading, k: Array, part: Part = "total") -> Array:
-    """K(k) (M, n, 2, n, 2) = sum_L a_L conj(b_jI^L) T_iplq b_qJ^L (material) + sigma_ij sum_L d(a_L b_jI^L)/dx_lJ (geometric).
+    """K(k) (M, n, d, n, d) = sum_L a_L conj(b_jI^L) T_iplq b_qJ^L (material) + sigma_ij sum_L d(a_L b_jI^L)/dx_lJ (geometric).
 
     Force over length; raises UnknownName for another part.
     """
     known_part(part)
-    n = len(of)
-    K = np.zeros((len(k), n, 2, n, 2), complex)
+    n, d = len(of), len(loading.sigma)
+    K = np.zeros((len(k), n, d, n, d), complex)
     if part != "geometric":
         b = strain_waves(of, k)
         stressed = np.einsum("ijkl,mLJl->mLijJk", loading.tangent, b)
@@ -68,9 +68,10 @@ def stiffness(of: Linearised, loading: Loading, k: Array, part: Part = "total") 
 
 
 def modes(of: Linearised, loading: Loading, k: Array, part: Part = "total") -> Modes:
-    """The modes at wave vectors k (M, 2), rad/length."""
-    K, size = stiffness(of, loading, k, part), 2 * len(of)
-    root = np.repeat(of.masses, 2) ** -0.5
+    """The modes at wave vectors k (M, d), rad/length."""
+    d = len(loading.sigma)
+    K, size = stiffness(of, loading, k, part), d * len(of)
+    root = np.repeat(of.masses, d) ** -0.5
     A = K.reshape(len(k), size, size) * root[:, None] * root
     bound = rounding(of, loading, part)
     hermitian = abs(A - A.conj().transpose(0, 2, 1)).max(axis=(1, 2)) <= bound
