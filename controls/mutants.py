@@ -1,11 +1,12 @@
 """Mutation score of paper/, solid/ and stability/ on a seeded, stratified sample of mutants, without numba's compiler.
 
-    python -m controls.mutants [--count N] [--seed S] [--minutes M]
+    python -m controls.mutants [--count N] [--seed S] [--minutes M] [--again]
 
 The mutants are made by Cosmic Ray (`mutate.py`). Each runs, in a copy of the checkout, the tests of its own module alone:
 those that the catalogue names for it, then those of tests_of.toml. Survivors that `equivalent.toml` explains stay in the
 sample and count as survivors; the score without them is given beside. Results go to reports/controls/mutants.csv; a run
-that is interrupted goes on where it stopped, as long as the sources are the same.
+that is interrupted goes on where it stopped, as long as the sources are the same. With --again survivors whose tests have
+changed since run once more, and the newer outcome counts.
 """
 
 import argparse
@@ -32,6 +33,10 @@ KEPT = ROOT / ".rkverify" / "mutants"
 SECONDS = 90
 """Of the processor, for the tests of one mutant: one that takes longer than all of them together hangs."""
 LEVEL = 0.95
+MUTANT = ("file", "line", "operator", "old", "new")
+COLUMNS = (*MUTANT, "outcome", "test", "reason")
+
+Entry = dict[str, Any]
 
 
 def sources() -> list[str]:
@@ -55,6 +60,33 @@ def tests_of(file: str) -> list[str]:
     named = [check for fault in catalogue().faults if fault.file == file for check in fault.checks]
     more = known[max((name for name in known if place.startswith(name)), key=len)]
     return list(dict.fromkeys([*named, *more]))
+
+
+def state_of(tests: list[str]) -> str:
+    """A hash of the tests and of what is written in their files."""
+    paths = [ROOT / test.split("::")[0] for test in tests]
+    files = sorted({file for path in paths for file in (path.rglob("*.py") if path.is_dir() else [path])})
+    texts = [file.read_bytes() for file in files if file.exists()]
+    return hashlib.sha256("\n".join(tests).encode() + b"\n".join(texts)).hexdigest()[:16]
+
+
+def kept_in(log: Path) -> dict[tuple[Any, ...], Entry]:
+    """The entry of each mutant that has run, the newest where it ran more than once."""
+    lines = log.read_text(encoding="utf-8").splitlines() if log.exists() else []
+    return {identity(entry): entry for entry in map(json.loads, lines)}
+
+
+def identity(mutant: Entry) -> tuple[Any, ...]:
+    """What tells a mutant from the others."""
+    return tuple(mutant[column] for column in MUTANT)
+
+
+def is_due(mutant: Entry, known: dict[tuple[Any, ...], Entry], again: bool) -> bool:
+    """Whether a mutant has not run yet or, where survivors run again, has survived other tests than it has now."""
+    entry = known.get(identity(mutant))
+    if entry is None:
+        return True
+    return again and entry["outcome"] == "survived" and entry.get("tests") != state_of(tests_of(mutant["file"]))
 
 
 def explained() -> dict[tuple[str, str, str], str]:
@@ -94,6 +126,7 @@ def main() -> int:
     options.add_argument("--count", type=int, default=320)
     options.add_argument("--seed", type=int, default=1)
     options.add_argument("--minutes", type=float, default=600.0)
+    options.add_argument("--again", action="store_true", help="run survivors again whose tests have changed")
     chosen = options.parse_args()
     os.nice(10)
     sample = sampled(chosen.count, chosen.seed)
@@ -101,44 +134,44 @@ def main() -> int:
     key = hashlib.sha256(f"{chosen.seed} {chosen.count} {texts}".encode()).hexdigest()[:16]
     KEPT.mkdir(parents=True, exist_ok=True)
     log = KEPT / f"{key}.jsonl"
-    known = [json.loads(line) for line in log.read_text(encoding="utf-8").splitlines()] if log.exists() else []
+    known = kept_in(log)
     print(f"{len(sample['sample'])} mutants at {sample['places']} places in {sample['files']} files, {len(known)} done")
     until = time.monotonic() + 60 * chosen.minutes
     left = sample["sample"][:]
     # Files take turns, so that a part of the sample is one of all of them.
     left.sort(key=lambda m: hashlib.sha256(f"{m['file']} {m['place']} {m['operator']}".encode()).hexdigest())
+    due = [mutant for mutant in left if is_due(mutant, known, chosen.again)]
     with tempfile.TemporaryDirectory(prefix="rkverify-mutants-") as folder, log.open("a", encoding="utf-8") as kept:
         box = Sandbox(Path(folder))
-        for number, mutant in enumerate(left):
-            if number < len(known):
-                continue
+        for number, mutant in enumerate(due):
             if time.monotonic() > until:
-                print(f"time is up after {number} of {len(left)} mutants")
+                print(f"time is up after {number} of {len(due)} mutants")
                 break
             word, test, seconds = outcome(box, mutant)
-            entry = {k: mutant[k] for k in ("file", "line", "operator", "old", "new")} | {"outcome": word, "test": test}
-            known.append(entry)
-            kept.write(json.dumps(entry) + "\n")
+            entry = {k: mutant[k] for k in MUTANT} | {"outcome": word, "test": test}
+            known[identity(mutant)] = entry | {"tests": state_of(tests_of(mutant["file"]))}
+            kept.write(json.dumps(known[identity(mutant)]) + "\n")
             kept.flush()
             print(f"{number + 1:4} {word:9} {mutant['file']}:{mutant['line']} {test} {seconds:.1f} s", flush=True)
         box.close()
+    results = list(known.values())
     reasons = explained()
-    for entry in known:
+    for entry in results:
         place = (entry["file"], entry["old"].strip(), entry["new"].strip())
         entry["reason"] = reasons.get(place, "") if entry["outcome"] == "survived" else ""
     TABLE.parent.mkdir(parents=True, exist_ok=True)
     with TABLE.open("w", encoding="utf-8", newline="") as handle:
-        table = csv.DictWriter(handle, list(known[0]), lineterminator="\n")
+        table = csv.DictWriter(handle, COLUMNS, lineterminator="\n", extrasaction="ignore")
         table.writeheader()
-        table.writerows(sorted(known, key=lambda e: (e["file"], e["line"], e["operator"])))
-    for entry in known:
+        table.writerows(sorted(results, key=lambda e: (e["file"], e["line"], e["operator"])))
+    for entry in results:
         if entry["outcome"] == "survived":
             print(
                 f"survived: {entry['file']}:{entry['line']} {entry['operator']}\n  - {entry['old']}\n  + {entry['new']}"
             )
             print(f"  {entry['reason'] or 'UNEXPLAINED'}")
-    print(described(known))
-    return int(any(e["outcome"] == "survived" and not e["reason"] for e in known))
+    print(described(results))
+    return int(any(e["outcome"] == "survived" and not e["reason"] for e in results))
 
 
 if __name__ == "__main__":

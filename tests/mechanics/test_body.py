@@ -79,6 +79,16 @@ def test_a_uniform_body_force_adds_up(block):
     assert abs(load.sum(axis=0) - [2.0, -3.0]).max() <= 1e-13
 
 
+def test_a_body_force_does_the_work_of_the_field(block):
+    """sum_I f_ext_I . d_I = sum_L A_L b(X_L) . u^h(X_L) with u^h = sum_I Psi_I d_I: totals do not tell which node is loaded."""
+    made = block()
+    made_body, d = made.body(), made.small(1.0)
+    b = made.small(3.0)
+    work = (made_body.operator.measures[:, None] * b * (made_body.values @ d)).sum()
+    assert abs((made_body.body_force(b) * d).sum() - work) <= ROUNDING * abs(b * d).sum()
+    assert abs((made_body.operator.measures[:, None] * b * d).sum() - work) > 1e-3 * abs(work)
+
+
 def test_rigid_motions_leave_a_body_without_force(block):
     """Objective energy: a rotation by any angle with any shift; linear elasticity is the twin that turns it into force."""
     made = block()

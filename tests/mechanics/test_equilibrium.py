@@ -8,6 +8,7 @@ import pytest
 
 from rkverify.errors import BadInput, NotConverged
 from rkverify.solid.materials.linear_elastic import LinearElastic
+from rkverify.solid.materials.moduli import Moduli
 from rkverify.solid.materials.neo_hookean import NeoHookean
 from rkverify.solid.mechanics.at_nodes import AtNodes, equilibrium_with_nodes
 from rkverify.solid.mechanics.boundary import boundary
@@ -111,3 +112,21 @@ def test_what_has_no_equilibrium_says_so(block):
         equilibrium(b, torn)
     force, size = residual(b, torn, np.zeros_like(made.positions))
     assert (abs(force) <= size).all()
+
+
+@pytest.mark.parametrize("unit", [1e-9, 1e9])
+def test_other_units_of_stress_have_the_same_equilibrium(block, unit):
+    """Rounding is that of the forces: in pascals or in gigapascals Newton ends after the same steps at the same displacements."""
+    made, moduli = block(), block().body().law.moduli
+    outer = np.flatnonzero(((made.positions == 0) | (made.positions == 1)).any(axis=1))
+    given = made.positions[outer] @ np.array([[0.1, 0.0], [0.05, -0.1]]) + 0.05 * made.positions[outer] ** 2
+    found = []
+    for size in (1.0, unit):
+        b = made.body(law=NeoHookean(Moduli(size * moduli.lame, size * moduli.shear)))
+        load = size * 0.01 * np.tile([0.3, -1.0], (len(made.positions), 1))
+        edge = boundary(made.cloud, made.cells, where=lambda x: x[:, 0] < 1e-9)
+        problem = Problem((nitsche(b, edge, np.zeros_like(edge.points)),), load)
+        found.append((equilibrium_with_nodes(b, AtNodes(outer, given), load), equilibrium(b, problem)))
+    for one, other in zip(*found, strict=True):
+        assert abs(one.displacements - other.displacements).max() <= 1e-12
+        assert len(one.residuals) == len(other.residuals)

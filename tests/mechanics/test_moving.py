@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.linalg import logm
 
 from rkverify.errors import BadInput, UnknownName
 from rkverify.solid.domain import polygon_domain
@@ -139,3 +140,44 @@ def test_unknown_choices_are_refused(block):
         replace(m, convection="some")
     with pytest.raises(BadInput, match="outline"):
         replace(m, integration="scni")
+
+
+@pytest.mark.parametrize("integration", ["scni", "dni", "snni"])
+def test_the_work_of_a_step_is_stress_times_the_logarithm_of_its_stretch(block, integration):
+    """sum_L a_L (sigma + sigma')/2 : log H_L but for third powers of H - 1; its squares, which the stretch has, are seen."""
+    made = block(side=SIDE)
+    m = matter(made, integration, "none")
+    stress = np.array([[0.2, 0.05, 0], [0.05, -0.1, 0], [0, 0, 0.1]])
+    v = 0.3 * np.sin(3 * made.positions[:, ::-1]) + made.positions * [0.9, 0.2]
+    start = replace(still(made, m, v), state=m.law.start(len(made.positions), 2, stress), worked=0.7)
+    dt, operator = 0.01, operator_now(m, start)
+    moved, _ = step(m, start, dt, first=True)
+    H = np.eye(2) + operator.apply(dt * moved.v)
+    mean = (start.state.cauchy + moved.state.cauchy) / 2
+    work = sum(a * (s * logm(h)).sum() for a, s, h in zip(operator.measures, mean, H, strict=True))
+    allowed = operator.measures.sum() * abs(mean).max() * 4 * abs(H - np.eye(2)).max() ** 3
+    assert abs(moved.worked - 0.7 - work) <= allowed
+    assert abs(work) > 20 * allowed
+    early = sum(a * (s * (h - np.eye(2))).sum() for a, s, h in zip(operator.measures, mean, H, strict=True))
+    assert abs(early - work) > 2 * allowed  # the twin: H - 1, the strain as seen from the step's beginning
+    assert abs(moved.x - start.x - dt * moved.v).max() <= 1e-15
+    assert moved.time == dt
+    assert abs(moved.measures - start.measures * np.linalg.det(H)).max() <= 1e-15
+
+
+def test_velocities_in_an_account_are_those_of_its_time(block):
+    """At the first step the given ones, later the mean of half a step before and after: momentum is sum m v of these."""
+    made = block(side=SIDE)
+    m = matter(made, "dni", "none")
+    v = 0.3 * np.sin(3 * made.positions[:, ::-1])
+    start = still(made, m, v)
+    now = forces(m, start)
+    one, entry = step(m, start, 0.01, first=True)
+    assert abs(entry.momentum - now.mass @ v).max() <= 1e-15
+    assert abs(one.v - v - 0.005 * now.acceleration()).max() <= 1e-15
+    later = forces(m, one)
+    two, entry = step(m, one, 0.01)
+    assert abs(entry.momentum - later.mass @ (one.v + two.v) / 2).max() <= 1e-15
+    assert abs(two.v - one.v - 0.01 * later.acceleration()).max() <= 1e-15
+    assert entry.time == 0.01
+    assert entry.stored == one.worked

@@ -45,6 +45,8 @@ def test_cells_are_polygons_with_their_nodes_values(block, tmp_path):
     b = made.body()
     write_series(tmp_path, "run", [frame_of_body(b, made.small(), cells=made.cells)])
     mesh = meshio.read(tmp_path / "run-cells-0000.vtu")
+    assert mesh.points.shape[1] == 3
+    assert (mesh.points[:, 2] == 0).all()
     seen = []
     for number, cells in enumerate(mesh.cells):
         assert cells.type == "polygon"

@@ -11,11 +11,12 @@ from rkverify.arithmetic.dual import Duals
 from rkverify.arithmetic.multiprecision import Multiprecision
 from rkverify.arithmetic.native import Complex, Exact, Float
 from rkverify.certify.samples import jittered_grid
-from rkverify.errors import BadInput, CoincidentNodes
+from rkverify.errors import BadInput, CoincidentNodes, NotDifferentiable
 from rkverify.paper.cells import nodal_cells
-from rkverify.paper.clipping import clip
+from rkverify.paper.clipping import ROUNDINGS, clip, rounding_of_heights
 from rkverify.paper.nodal_polytopes import nodal_polytope, nodal_polytopes
 from rkverify.paper.polytopes import Polytope, box, cross, polygon
+from rkverify.paper.quadrature import boundary_points
 
 K = Exact()
 SIDES = {1: 6, 2: 4, 3: 3}
@@ -247,3 +248,46 @@ def test_what_cannot_be_a_set_of_cells_is_refused() -> None:
     assert (
         nodal_polytopes([K_point((0, 0))], box([0, 0], [2, 2], K), K)[0].measure == 4
     )  # a node on the boundary is normal
+
+
+def test_corners_part_where_a_moved_node_has_them() -> None:
+    """Four cells meet in each corner inside a square lattice: of the cells that the moved node touches these corners part.
+
+    Nothing parts where nothing moves, nor on uneven nodes, nor far away; a rule on sides that part is refused.
+    """
+    places, whole = lattice(2, Fraction(1), K)
+    D = Duals(K, 1)
+    moved = [tuple(D.number(c) + (D.variable(0, 0) if (I, j) == (0, 0) else 0) for j, c in enumerate(x)) for I, x in enumerate(places)]  # fmt: skip
+    cells = nodal_polytopes(moved, lattice(2, Fraction(1), D)[1], D)
+    half = Fraction(1, 2)
+    parted = [{tuple(c.value for c in X) for X in cell.parting} for cell in cells]
+    # places are (0, 0), (0, 1), (0, 2), (1, 0), …: node 0 meets 1, 3 and 4 in (1/2, 1/2)
+    assert [(half, half) in corners for corners in parted] == [
+        True,
+        True,
+        False,
+        True,
+        True,
+        False,
+        False,
+        False,
+        False,
+    ]
+    assert not parted[8]
+    assert not any(cell.parting for cell in nodal_polytopes(places, whole, K))
+    uneven = [tuple(D.number(c) + (D.variable(0, 0) if I == 7 else 0) for c in x) for I, x in enumerate(nodes(2))]
+    assert not any(cell.parting for cell in nodal_polytopes(uneven, domain(2, D), D))
+    with pytest.raises(NotDifferentiable, match=r"more cells than 3 meet at \(1/2 .*, 1/2 .*\)"):
+        boundary_points(cells[0], "midpoint", D)
+    assert boundary_points(cells[8], "midpoint", D)
+
+
+def test_what_rounding_may_make_of_a_height() -> None:
+    """64 epsilon, times the largest coordinate, times the sum of the normal's: in other units it is that of the units."""
+    F, X = Float(), ((3.0, -5.0), (1.0, 2.0))
+    found = rounding_of_heights(X, (0.5, 4.0), (0.25, -1.5), F)
+    assert found == pytest.approx(ROUNDINGS * F.epsilon * 5.0 * 1.75, rel=1e-15)
+    assert ROUNDINGS == 64
+    far = rounding_of_heights(X, (0.5, -7.0), (0.5, -3.0), F)
+    assert far == pytest.approx(found * 7 / 5 * 2, rel=1e-15)
+    assert rounding_of_heights(X, (0, 0), (1, 1), K) == 0

@@ -3,6 +3,10 @@
 import subprocess
 import sys
 
+from numba import types
+
+from rkverify.solid.compiling import _stack_memory
+
 SHAPE = """
 import numpy as np
 from rkverify.solid.cloud import cloud
@@ -34,3 +38,11 @@ def test_a_second_process_compiles_nothing() -> None:
 
 def test_one_dimension_does_not_load_the_compiler() -> None:
     assert said(ONE_DIMENSION) == ["False"]
+
+
+def test_memory_of_a_known_size_alone_is_on_the_stack() -> None:
+    """A size that is no constant must be refused when a function is compiled: memory would be taken for another number."""
+    like = types.Array(types.complex128, 2, "C")
+    assert _stack_memory(None, like, types.int64) is None
+    signature, _ = _stack_memory(None, like, types.literal(3))
+    assert signature.return_type == types.CPointer(types.complex128)

@@ -1,5 +1,7 @@
 """Domains: what is inside, what has which area, and what is refused before it can spoil a cell."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -96,6 +98,7 @@ def test_rings_may_touch_in_a_point() -> None:
     ("low", "high", "message"),
     [
         ([0, 0], [1], "shapes"),
+        ([0], [1, 1], "shapes"),
         ([0, 0], [1, 0], "goes from 0 to 0 along axis 1"),
         ([0, 0], [1, float("inf")], "goes from 0 to inf along axis 1"),
         ([0] * 4, [1] * 4, "1, 2 or 3 coordinates"),
@@ -105,3 +108,17 @@ def test_an_unusable_box_is_refused(low: list[float], high: list[float], message
     """An empty or infinite box has no cells."""
     with pytest.raises(BadInput, match=message):
         box(low, high)
+
+
+def test_the_place_of_a_crossing_is_that_of_its_edges() -> None:
+    """Two places where this ring crosses itself: the one that is named belongs to the two edges that are named."""
+    ring = np.array([(0, 0), (6, 0), (6, 2), (5, -1), (3, -1), (2, 2), (0, 2)], dtype=float)
+    with pytest.raises(BadInput, match="not simple") as raised:
+        polygon_domain([ring])
+    said = re.search(r"from vertex (\d) meets the edge from its vertex (\d) at \((.*), (.*)\)", str(raised.value))
+    assert said
+    for number in said.groups()[:2]:
+        a, b = ring[int(number)], ring[(int(number) + 1) % 7]
+        p = np.array([float(c) for c in said.groups()[2:]])
+        assert abs((b - a)[0] * (p - a)[1] - (b - a)[1] * (p - a)[0]) < 1e-9
+        assert 0 < (p - a) @ (b - a) < (b - a) @ (b - a)

@@ -274,3 +274,12 @@ def test_what_cannot_be_used_is_refused():
         dni(C, cells.measures[:-1])
     with pytest.raises(TooFewNodes, match="order 1 needs 3"):
         scni(cloud(C.positions, 0.3), cells)
+
+
+def test_boxes_on_a_line_are_differences_over_their_own_length():
+    """b_I^L = (Psi_I(x_L + A_L/2) - Psi_I(x_L - A_L/2))/A_L with the node's own A_L: linear sums hold for boxes of any length."""
+    C, cells = approximation(1)
+    ends = [shape(C, C.positions + side * cells.measures[:, None] / 2).matrix() for side in (1, -1)]
+    expected = (ends[0] - ends[1]).toarray() / cells.measures[:, None]
+    found = snni(C, cells.measures).parts[0].toarray()
+    assert abs(found - expected).max() <= 100 * EPS * condition_numbers(C, C.positions).max() / cells.measures.min()

@@ -108,6 +108,10 @@ INVERTED = np.array([np.eye(2), [[1.0, 0.0], [0.0, -0.25]]])
         (lambda: Jaumann(MODULI).advance(np.eye(2)[None], Jaumann(MODULI).start(2, 2)), r"the state has \(2, 2, 2\)"),
         (lambda: NeoHookean(MODULI).stress(np.eye(2)), r"have shape \(2, 2\): give \(n, d, d\)"),
         (lambda: NeoHookean(MODULI).stress(np.full((3, 2, 2), np.nan)), r"^point 0 has a deformation gradient"),
+        (
+            lambda: NeoHookean(MODULI).stress(np.where(np.arange(12).reshape(3, 2, 2) == 5, np.inf, np.eye(2))),
+            r"^point 1 has a deformation gradient that is not finite",
+        ),
         (lambda: LinearElastic(MODULI, "stress").stress(np.eye(3)[None]), r"^plane stress in 3 dimensions"),
         (lambda: Jaumann(MODULI).start(2, 4), r"^4 dimensions are not offered"),
         (lambda: from_young(1.0, 0.5), r"nu = 0\.5: give"),

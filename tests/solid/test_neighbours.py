@@ -91,3 +91,11 @@ def test_no_points_have_no_neighbours() -> None:
 def test_bad_points_are_named(points: list, message: str) -> None:
     with pytest.raises(BadInput, match=message):
         neighbours(cloud([[0, 0], [1, 0]], 1), points)
+
+
+@pytest.mark.parametrize("points", [[[0.0, 0.0]], [[0.0, 0.0, 0.0]], [[0.0]]], ids=len)
+def test_points_have_the_nodes_dimension(points: list[list[float]]) -> None:
+    """Too many coordinates as well as too few: numpy would stretch one to the other."""
+    d = {1: 2, 2: 1, 3: 2}[len(points[0])]
+    with pytest.raises(BadInput, match=f"the points have {len(points[0])} coordinates and the nodes have {d}"):
+        neighbours(cloud(np.eye(3)[:, :d] if d > 1 else [[0.0], [1.0]], 2.0), np.array(points))

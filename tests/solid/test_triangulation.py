@@ -1,12 +1,13 @@
 """The triangulation under the cells: Delaunay, valid, and the same as Qhull's where that is unique."""
 
 import math
+from fractions import Fraction
 
 import numpy as np
 import pytest
 from scipy.spatial import Delaunay
 
-from rkverify.solid.triangulation import GRID, IN_CIRCLE, _turn, triangulated
+from rkverify.solid.triangulation import GRID, IN_CIRCLE, _curve, _surely_inside, _turn, _two_parts, triangulated
 
 ANGLES = np.array([0.5, 0.5 + 2 / 3 * np.pi, 0.5 + 4 / 3 * np.pi])
 FAR = 3.9 * np.stack([np.cos(ANGLES), np.sin(ANGLES)], axis=1)
@@ -115,3 +116,45 @@ def test_the_sign_of_an_area_is_exact() -> None:
             assert np.sign(_turn(0.0, 0.0, b0, b1, c0, c1)) == sign
             lost += b0 * c1 == b1 * c0
     assert lost > 0  # in rounded products alone
+
+
+def test_a_product_is_two_doubles_without_error() -> None:
+    """As rationals, for factors of all 53 digits and sizes: a splitting that is one digit off would lose the lowest bits."""
+    rng = np.random.default_rng(1)
+    for _ in range(2000):
+        a, b = (float(k) * 2.0 ** int(e) for k, e in zip(rng.integers(-(2**53), 2**53, 2), rng.integers(-60, 4, 2), strict=True))  # fmt: skip
+        high, low = _two_parts(a, b)
+        assert high == a * b
+        assert Fraction(high) + Fraction(low) == Fraction(a) * Fraction(b)
+
+
+@pytest.mark.parametrize("digits", [1, 2, 3, 4])
+def test_the_curve_goes_from_cell_to_neighbouring_cell(digits: int) -> None:
+    """Through every square of 2^n by 2^n exactly once, each a neighbour of the one before: what is near on it is near in the plane."""
+    side = (np.arange(2**digits) + 0.5) / 2 ** (digits - 1) - 1
+    x, y = (a.ravel() for a in np.meshgrid(side, side))
+    place = _curve(x, y)
+    assert len(set(place.tolist())) == 4**digits
+    order = np.argsort(place)
+    steps = np.hypot(np.diff(x[order]), np.diff(y[order]))
+    np.testing.assert_allclose(steps, 2.0 ** (1 - digits), rtol=0, atol=1e-14)
+    assert (_curve(np.array([-2.0, 1.0, 5.0]), np.array([-2.0, 1.0, 5.0])) >= 0).all()
+
+
+def test_what_is_surely_inside_is_inside() -> None:
+    """Against the determinant in integers: True only where it is positive, and always where it is beyond twice the bound."""
+    rng = np.random.default_rng(5)
+    said = {True: 0, False: 0}
+    for k in range(600):
+        angle = np.sort(rng.uniform(0, 2 * np.pi, 3))
+        size = 1 + (0.0 if k % 3 == 0 else rng.normal() * 10.0 ** -rng.integers(1, 17))
+        around = 0.5 * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+        last = 0.5 * size * np.array([np.cos(rng.uniform(0, 7)), 0.0])
+        last[1] = np.sqrt(max(0.25 * size**2 - last[0] ** 2, 0.0))
+        x = np.round((np.concatenate([around, last[None]]) + 0.1) * GRID) / GRID
+        share = _inside(np.round(x * GRID).astype(np.int64).astype(object), [0, 1, 2], 3)
+        found = bool(_surely_inside(*x.ravel().tolist()))
+        assert not found or share > 0
+        assert found or share <= 2 * IN_CIRCLE
+        said[found] += 1
+    assert min(said.values()) > 100

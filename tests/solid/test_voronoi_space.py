@@ -6,6 +6,7 @@ from scipy.spatial import ConvexHull, HalfspaceIntersection
 
 from rkverify.errors import BadInput, CoincidentNodes
 from rkverify.solid.cells import OUTSIDE, Cells
+from rkverify.solid.cut_facets import Facets, cut
 from rkverify.solid.domain import Box, box, polygon_domain
 from rkverify.solid.voronoi import voronoi
 
@@ -139,3 +140,42 @@ def test_the_domain_has_the_nodes_dimension() -> None:
     """A polygon is no domain for nodes in space."""
     with pytest.raises(BadInput, match="the nodes have 3 coordinates and the domain 2"):
         voronoi([[0.5, 0.5, 0.5]], polygon_domain([[(0, 0), (1, 0), (1, 1)]]))
+
+
+def _prism(turn: int) -> Facets:
+    """A U with legs of width 1 and height 2 on a foot 3 wide and 1 high, from z = 0 to 1; its facets begin at corner `turn`."""
+    plan = [(0, 0), (3, 0), (3, 2), (2, 2), (2, 1), (1, 1), (1, 2), (0, 2)]
+    v = np.array([(x, y, z) for z in (0.0, 1.0) for x, y in plan])
+    loops = [list(range(7, -1, -1)), list(range(8, 16))]
+    loops += [[k, (k + 1) % 8, (k + 1) % 8 + 8, k + 8] for k in range(8)]
+    loops = [loop[turn % len(loop) :] + loop[: turn % len(loop)] for loop in loops]
+    facets = Facets.of(v, loops, np.array([[0, OUTSIDE]] * 10))
+    return Facets(facets.vertices, facets.starts, facets.corners, facets.sides, np.ones((10, 3)))
+
+
+@pytest.mark.parametrize("turn", range(8))
+@pytest.mark.parametrize(
+    ("place", "sign", "volume", "caps"), [(1.5, 1, 4.0, 2), (0.25, 1, 0.75, 1), (-1.0, -1, 5.0, 0)]
+)
+def test_a_cut_through_two_legs_closes_each(turn: int, place: float, sign: int, volume: float, caps: int) -> None:
+    """Facets that are crossed four times leave two pieces, whichever corner they are named from: rounding can make such cells.
+
+    Volume by the divergence theorem, which is wrong for a cell that is not closed; new facets have the outward normal.
+    """
+    found = cut(_prism(turn), 1, place, sign)
+    whole = np.zeros(3)
+    measured, flat = 0.0, 0
+    for f in range(len(found.sides)):
+        p = found.vertices[found.corners[found.starts[f] : found.starts[f + 1]]]
+        assert (sign * (p[:, 1] - place) <= 0).all()
+        area = np.cross(p - p[0], np.roll(p, -1, axis=0) - p[0]).sum(axis=0) / 2
+        if len(p) == 4 and (p[:, 1] == place).all():
+            flat += 1
+            assert found.outward[f].tolist() == [0, sign, 0]
+            assert abs(np.linalg.norm(area) - (3 if place == 0.25 else 1)) < 1e-14
+            area = abs(area) * sign
+        whole += area
+        measured += p[0] @ area / 3
+    assert flat == caps
+    assert abs(whole).max() < 1e-14
+    assert abs(measured - volume) < 1e-14

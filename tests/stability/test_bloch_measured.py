@@ -1,12 +1,18 @@
 """Nonlinear runs, finite sets and zero-energy modes in the plane against what K(k) says of them."""
 
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
 import pytest
+from scipy.linalg import eig
 
 from rkverify.errors import BadInput
+from rkverify.readings import DERIVATIVES
+from rkverify.solid.gradients import facets_alone, scni
 from rkverify.solid.periodic_plane import rates
+from rkverify.solid.voronoi import voronoi
+from rkverify.stability.bloch.cell_integrals import facets_of
 from rkverify.stability.bloch.clouds import growth, held_cloud, uneven_square
 from rkverify.stability.bloch.evidence import BOX, Case
 from rkverify.stability.bloch.lattices import jittered, lattice
@@ -172,3 +178,36 @@ def test_wave_vectors_are_brought_into_the_zone() -> None:
 
 def test_support_ratios_are_exact_numbers() -> None:
     assert FULL.scheme("9/5").support == float(Fraction(9, 5))
+
+
+@pytest.mark.parametrize("method", [FULL, SNNI, SCNI], ids=["dni", "snni", "scni"])
+def test_the_loads_hold_an_uneven_box(method: Method) -> None:
+    """Under a uniform stress uneven nodes have forces, which dead loads take: nothing moves, and without them all does."""
+    nodes = jittered(lattice("square"), 3, 0.15, 4)
+    plane, still = box_of(nodes, method.scheme("1.7"), Loading((0.3, -0.2, 0.1)), 1)
+    assert abs(rates(plane, still).v).max() < 1e-13
+    if method != SCNI:  # whose forces from a uniform stress are zero
+        assert abs(rates(replace(plane, external=0.0), still).v).max() > 1e-3
+
+
+def test_a_finite_set_has_the_gradients_and_modes_of_its_parts() -> None:
+    """b_jI^L is SCNI's of the same cells, and growth solves K u = m omega^2 u with K from these parts, on uneven nodes."""
+    x, domain = uneven_square(11, 0.15, 2)
+    scheme, load = SCNI.scheme("1.4"), loading("compression", 1.3)
+    cloud = held_cloud(x, domain, scheme)
+    cells, near = voronoi(x, domain), cloud.free[len(cloud.free) // 2]
+    inner = facets_alone(cells, facets_of(cells, np.array([near])))
+    rows = [part[[near]].toarray()[0][cloud.free] for part in scni(scheme.cloud(x), inner, scheme.rule).parts]
+    np.testing.assert_allclose(cloud.gradients[near], np.stack(rows, axis=1), rtol=0, atol=1e-13)
+    b = cloud.gradients.reshape(len(x), -1, 2)
+    K = np.einsum("L,LIj,ijkl,LJl->IiJk", cloud.measures, b, load.tangent, b, optimize=True)
+    squares = eig(K.reshape(len(b[0]) * 2, -1), np.diag(np.repeat(cloud.masses, 2)), right=False).real
+    assert abs(growth(cloud, load) - np.sqrt(-squares.min())) < 1e-9
+    assert cloud.masses.std() > 0.02
+
+
+def test_states_and_methods_are_told_apart() -> None:
+    assert loading("shear", 0.3).stress == (0.0, 0.0, 0.3)
+    assert loading("compression", 0.3).stress == (-0.3, 0.0, 0.0)
+    assert len({Method("dni", reading).name for reading in DERIVATIVES}) == len(DERIVATIVES)
+    assert Method("scni", rule="midpoint").name != Method("scni").name

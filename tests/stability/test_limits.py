@@ -1,14 +1,18 @@
 """Both ends of the axis of kh: exact sums of the stencil against the relations themselves at the smallest and largest kh."""
 
+import itertools
 from fractions import Fraction
 from math import pi, sin
 
+import numpy as np
 import pytest
 
 from rkverify.arithmetic.multiprecision import Multiprecision
-from rkverify.arithmetic.native import Exact
+from rkverify.arithmetic.native import Exact, Float
 from rkverify.certify.limit_tables import agreement_rows, lagrangian_rows
 from rkverify.errors import BadInput
+from rkverify.paper.approximation import approximation
+from rkverify.paper.shape import shape_functions
 from rkverify.readings import Readings
 from rkverify.stability import limits
 from rkverify.stability.conditioning import irregular_spectrum, periodic_spectrum
@@ -111,6 +115,37 @@ def test_only_a_base_at_rest_has_a_response(base: Base) -> None:
         limits.response(base, limits.alternating, K)
 
 
+@pytest.mark.parametrize(
+    "change",
+    [
+        {},
+        {"integration": "scni"},
+        {"derivative": "frozen-b"},
+        {"stress_law": "cauchy-rate"},
+        {"stress_law": "literal"},
+        {"cell_edges": "material"},
+        {"cell_edges": "material", "integration": "scni"},
+        {"cell_edges": "fixed", "integration": "scni"},
+        {"cell_measure": "material"},
+        {"cell_measure": "fixed"},
+        {"support_radius": "spacing"},
+    ],
+    ids=str,
+)
+def test_every_reading_responds_as_its_relation_says(change: dict[str, str]) -> None:
+    """The forces summed cell by cell with everything that follows the positions, in units h = 1/2, against omega^2 of that reading:
+    at kh = pi to the last rational, under a parabola by the limit at kh = 1e-12.
+    """
+    of = {"integration": "dni", **change}
+    setting = Setting("semi-lagrangian", support_ratio="7/4", stress_ratio=S, spacing="1/2", layer="as-defined", **of)
+    base = Base("7/4", Readings(**{"convection": "none", **of}), S, spacing="1/2")
+    at_pi = limits.response(base, limits.alternating, K)
+    assert abs(_omega_squared(setting, HIGH.pi()) + HIGH.number(at_pi)) < 1e-40
+    long = limits.response(base, lambda J: F(J * J, 2), K)
+    assert abs(_omega_squared(setting, SMALL) / HIGH.number(SMALL) ** 2 - HIGH.number(long)) < 1e-20
+    assert long > 0
+
+
 @pytest.mark.decides("C33")
 def test_the_lattices_stiffness_is_known_for_small_supports() -> None:
     """For R <= 3/2 omega^2 = sin^2 kh: eigenvalues from sin^2(2 pi/64) to 1, and two zeros, kh = 0 and pi."""
@@ -126,3 +161,25 @@ def test_a_large_support_is_worse_on_both_sets() -> None:
     wide, usual = (irregular_spectrum(R, 64, 0.2, 7) for R in (3.5, 1.5))
     assert wide.zeros == usual.zeros == 1
     assert wide.condition > 100 * usual.condition
+
+
+def test_spectra_are_those_of_the_stiffness() -> None:
+    """Eigenvalues of B^T A B itself, for a lattice by its symbol sin^2 and for uneven nodes by a matrix written out."""
+    found = periodic_spectrum("3/2", 12)
+    assert abs(found.eigenvalues - np.sort(np.sin(2 * pi * np.arange(12) / 12) ** 2)[2:]).max() < 1e-14
+    count, shift, seed = 9, 0.2, 3
+    irregular = irregular_spectrum(1.7, count, shift, seed, "quintic")
+    x = np.arange(count) + shift * np.random.default_rng(seed).uniform(-1, 1, count)
+    ends = [x[0], *((a + b) / 2 for a, b in itertools.pairwise(x)), x[-1]]
+    A = approximation([[float(c)] for c in x], 1.7, Float(), "quintic", 1)
+    K_matrix = np.zeros((count, count))
+    for left, right in itertools.pairwise(ends):
+        b = np.zeros(count)
+        for sign, end in ((1, right), (-1, left)):
+            for J, value in shape_functions(A, (float(end),)).items():
+                b[J] += sign * value / (right - left)
+        K_matrix += (right - left) * np.outer(b, b)
+    values = np.linalg.eigvalsh(K_matrix)
+    assert irregular.zeros == 1
+    assert abs(irregular.eigenvalues - values[1:]).max() < 1e-13
+    assert abs(irregular.condition - values[-1] / values[1]) < 1e-10 * irregular.condition

@@ -6,6 +6,7 @@ is 1e-4 where a node passes a joint of the kernel, beyond which the C2 kernel's 
 """
 
 from dataclasses import replace
+from fractions import Fraction
 from math import log
 
 import numpy as np
@@ -13,15 +14,25 @@ import pytest
 
 from rkverify.arithmetic.native import Float
 from rkverify.errors import BadInput, UnknownName
-from rkverify.readings import Readings
+from rkverify.readings import CONVECTIONS, Readings
 from rkverify.solid.chain import rates
 from rkverify.solid.integrate import integrate, pack
-from rkverify.solid.tangent import change_of_rates, changed
-from rkverify.stability import jacobian_paper
+from rkverify.solid.tangent import change_of_rates, changed, follow
+from rkverify.stability import jacobian_paper, passages
 from rkverify.stability.jacobian_solid import base_chain
 from rkverify.stability.lattice_state import Base
-from rkverify.stability.moving_base import base_at, finite_chain, starting_amplitudes, wave_on_chain, wave_on_lattice
-from rkverify.stability.passages import first_beyond
+from rkverify.stability.layers import Setting
+from rkverify.stability.moving_base import (
+    Passage,
+    base_at,
+    finite_chain,
+    starting_amplitudes,
+    symbol_at,
+    wave_on_chain,
+    wave_on_lattice,
+)
+from rkverify.stability.passages import Wave, chain_rows, first_beyond, lattice_rows, validity_rows
+from rkverify.stability.surveys import roots_over
 
 QS = ("-1/10", "1/10")
 
@@ -120,3 +131,99 @@ def test_where_a_curve_leaves_a_band() -> None:
     assert abs(first_beyond([0.1, 0.3], [1.0, 0.8], 0.1) - 0.2) < 1e-15
     # from 0.05 to 0.25 on the other side: half-way the gap is 0.15
     assert abs(first_beyond([0.1, 0.3], [1.05, 1.25], 0.15) - 0.2) < 1e-15
+
+
+def test_a_change_followed_is_linear_in_its_start() -> None:
+    """Its size is taken out on the way and put back: three times the change ends as three times the change."""
+    chain, start = finite_chain(Base("3/2", Readings("scni", "psi-star"), "1/3", "1/5"), 11)
+    change, times = np.sin(np.arange(55.0)), np.array([0.0, 0.2])
+    one, three = (follow(chain, start, size * change, times)[1] for size in (1.0, 3.0))
+    assert abs(one[0] - change).max() < 1e-15
+    assert abs(three - 3 * one).max() < 1e-12
+
+
+WAVE = Wave("dni", "3/2", "1/2", 3.0, "growing")
+
+
+def test_tables_of_passages_are_those_of_their_waves() -> None:
+    """Each row is the passage of its own setting: convection, Q, start and duration; the rate is the frozen root's."""
+    wave = replace(WAVE, kh=2.0, start="oscillating", stress_ratio="1/4")
+    rows = lattice_rows([wave], ["1/10"], 0.4)
+    assert [row["convection"] for row in rows] == [c for c in CONVECTIONS if c != "psi-star"]
+    long = chain_rows([wave], ["1/10"], 0.4, 11)
+    assert [row["convection"] for row in long] == list(CONVECTIONS)
+    for row in [*rows, *long]:
+        base = Base("3/2", Readings("dni", row["convection"]), "1/4", "1/10")
+        if row["domain"] == "lattice":
+            passage = wave_on_lattice(base, 2.0, "oscillating", 0.4)
+        else:
+            passage = wave_on_chain(base, 11, 2.0, 0.4, "oscillating")
+        assert (row["nonlinear"], row["moving"], row["frozen"], row["error"], row["kh"]) == (
+            passage.nonlinear_growth, passage.moving_growth, passage.frozen_growth, passage.error, passage.kh,
+        )  # fmt: skip
+        assert row["duration"] == 0.4
+        assert (row["Q"], row["support_ratio"], row["stress_ratio"], row["start"]) == (
+            "1/10",
+            "3/2",
+            "1/4",
+            "oscillating",
+        )
+        layer = "consistent" if row["convection"] == "true" else "as-defined"
+        setting = Setting("semi-lagrangian", "dni", "3/2", layer=layer, convective=row["convection"] != "none")
+        omega = roots_over(setting, np.array([row["kh"]]))(0.25, 0.1)[0]
+        assert abs(row["frequency"] - abs(omega.real).max()) < 1e-9
+
+
+def test_shares_of_the_frozen_growth_are_quotients(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Q is the share of the growth at rest, which the undamped relation knows; passages are given, so that only the table is looked at."""
+    seen = []
+
+    def passage(base: Base, kh: float, start: str) -> Passage:
+        seen.append((base, kh, start))
+        return Passage(kh, 2.0, 1e-5, 0.75, 0.5, 0.25, 0.25 + 1j)
+
+    monkeypatch.setattr(passages, "wave_on_lattice", passage)
+    rows = validity_rows([WAVE], ["1/5", "-1/2"], ["none", "true"])
+    omega = roots_over(Setting("semi-lagrangian", "dni", "3/2", layer="as-defined", convective=False), np.array([3.0]))
+    at_rest = (-omega(0.5, 0.0).imag).max()
+    for row, (base, kh, start) in zip(rows, seen, strict=True):
+        assert abs(row["growth_at_rest"] - at_rest) < 1e-9
+        assert abs(float(base.velocity_gradient) - float(Fraction(row["Q_over_growth"])) * at_rest) < 1e-6
+        assert (base.readings.convection, kh, start) == (row["convection"], 3.0, "growing")
+        assert (row["frozen"], row["moving"], row["nonlinear"], row["error"]) == (0.25, 2.0, 3.0, 1e-5)
+    assert [(row["convection"], row["Q_over_growth"]) for row in rows] == [
+        (c, share) for c in ("none", "true") for share in ("1/5", "-1/2")
+    ]
+
+
+@pytest.mark.parametrize("h", ["1", "1/10"])
+def test_a_finite_chain_ends_at_its_last_nodes(h: str) -> None:
+    """Half cells at both ends, which end where the nodes are; the inner ones are those of the lattice."""
+    for edges in ("voronoi", "material"):
+        base = Base("3/2", Readings("scni", "none", cell_edges=edges), "1/3", "1/5", h)
+        chain, start = finite_chain(base, 9)
+        spacing = 1.0 if h == "1" else 0.1
+        assert abs(np.diff(start.x) - spacing).max() < 1e-14
+        assert abs(start.edges[:-1] - (start.x[:-1] + start.x[1:]) / 2).max() < 1e-14
+        assert start.edges[-1] == start.x[-1]
+        assert abs(start.measures / spacing - np.r_[0.5, np.ones(7), 0.5]).max() < 1e-14
+        assert abs(chain.masses / spacing - np.r_[0.5, np.ones(7), 0.5]).max() < 1e-14
+        assert not chain.periodic
+        assert (start.period, start.period_rate) == (0, 0)
+
+
+@pytest.mark.parametrize("start", ["growing", "oscillating"])
+def test_a_start_is_the_mode_that_it_names(start: str) -> None:
+    """A a = lambda a, with the largest growth or the largest frequency of the symbol, on a chain and in the endless lattice."""
+    base = Base("3/2", Readings("dni", "none"), "1/2", "1/10")
+    found = {}
+    for count in (0, 20):
+        amplitudes, rate = starting_amplitudes(base, 2 * np.pi * 9 / 20, start, count)
+        A = symbol_at(base, 2 * np.pi * 9 / 20, 20)
+        assert abs(A @ amplitudes - rate * amplitudes).max() < 1e-12
+        values = np.linalg.eigvals(A)
+        found[count] = rate
+        part = (values.real, rate.real) if start == "growing" else (values.imag, rate.imag)
+        assert abs(part[0].max() - part[1]) < 1e-12
+    assert abs(found[0] - found[20]) < 1e-12
+    assert starting_amplitudes(base, 1.0, "velocity")[0].tolist() == [0, 1, 0]

@@ -9,9 +9,13 @@ import pytest
 from rkverify.arithmetic.native import Exact
 from rkverify.errors import BadInput, NotDifferentiable, NotRepresentable, RkverifyError, TooFewNodes, UnknownName
 from rkverify.readings import Readings
+from rkverify.solid.sph import SphForm
+from rkverify.stability.bloch.scheme import Scheme
+from rkverify.stability.lagrangian import StretchedBar
 from rkverify.stability.lattice_state import Base
 from rkverify.stability.layers import Setting, dispersion
 from rkverify.stability.printed import gradients_are_odd, stencil_half_width
+from rkverify.stability.sph import SphBase
 
 SEMI = Setting("semi-lagrangian", "scni", "3/2")
 LAGRANGIAN = Setting("lagrangian", "scni", "3/2")
@@ -105,3 +109,29 @@ def test_the_printed_half_width_holds_every_gradient(R: str) -> None:
 def test_gradients_on_the_lattice_are_odd() -> None:
     """Exactly; the reason why (61) may be read with I - J or I + J."""
     assert all(gradients_are_odd(R, Exact()) for R in ("11/10", "3/2", "2", "5/2", "7/2"))
+
+
+def test_what_is_not_said_is_rest_without_stress_in_unit_spacing() -> None:
+    """A default is a statement: the relation of a setting that leaves it out is that of these values and of no others."""
+    assert Base("3/2", Readings("scni")) == Base("3/2", Readings("scni"), 0, 0, 1, 0, "cubic", 1, 1)
+    assert Base("3/2", Readings("scni")).is_at_rest(Exact())
+    assert StretchedBar("3/2", "scni") == StretchedBar("3/2", "scni", 0, 1, 1, "full", "cubic", 1, "lumped")
+    assert SphBase(SphForm(), "3/2") == SphBase(SphForm(), "3/2", 0, 0, "cubic")
+    assert Scheme("dni", 1.5) == Scheme("dni", 1.5, None, "full", "edges", "cubic", 1, "radial")
+    assert Setting("semi-lagrangian", "scni", "3/2", 0, 1, 0, 1, 0, True, "edge", order=1, layer="printed") == SEMI
+
+
+@pytest.mark.parametrize(("Q", "V", "motion", "still"), [(0, 0, "coefficient", True), ("1/9", 0, "coefficient", False), (0, "-1/9", "coefficient", False), (0, 0, "field", False)])  # fmt: skip
+def test_rest_is_no_motion_of_the_base_nor_of_nodes_with_a_field(
+    Q: object, V: object, motion: str, still: bool
+) -> None:
+    base = Base("3/2", Readings("scni", node_motion=motion), 0, Q, 1, V)
+    assert base.is_at_rest(Exact()) == still
+
+
+@pytest.mark.parametrize(
+    ("R", "cells", "nodes"), [("11/10", 2, 5), ("3/2", 3, 6), ("7/4", 3, 6), ("2", 3, 7), ("5/2", 4, 8)]
+)
+def test_the_reach_of_an_equation(R: str, cells: int, nodes: int) -> None:
+    """int(R + 1/2) + 1 cells see the node, and their edges see nodes int(R) + 2 farther."""
+    assert Base(R, Readings("scni")).reach(Exact()) == (cells, nodes)

@@ -7,6 +7,7 @@ The surveys' numbers come from two (at rest) or six (in motion) stencils each; t
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
+from functools import cache
 from math import pi, sqrt
 from typing import Any
 
@@ -23,9 +24,23 @@ from rkverify.stability.jacobian_solid import base_chain
 from rkverify.stability.lagrangian import bar
 from rkverify.stability.layers import Setting, dispersion
 from rkverify.stability.side_by_side import ANALYTIC, Case, lagrangian_rows, semi_lagrangian_rows
-from rkverify.stability.stability_sets import FORMULATIONS, motion_rows, moving_rows, relations, step_rows, stress_rows
+from rkverify.stability.stability_sets import (
+    FORMULATIONS,
+    motion_rows,
+    moving_rows,
+    reading_rows,
+    relations,
+    step_rows,
+    stress_rows,
+    wave_rows,
+)
 from rkverify.stability.surveys import frequency, growth, roots_over
-from rkverify.stability.two_forms import constant_moduli_rows, same_material_rows
+from rkverify.stability.two_forms import (
+    constant_moduli_rows,
+    measured_constant_moduli,
+    measured_rows,
+    same_material_rows,
+)
 
 KH = np.array([0.3, 1.0, 2.0, 3.0])
 
@@ -316,3 +331,214 @@ def test_what_has_no_undamped_relation_is_refused(setting: Setting) -> None:
 
 def test_a_relation_without_motion_has_no_critical_step() -> None:
     assert AtRest(np.zeros(3), np.zeros(3)).critical_step(0.0) == np.inf
+
+
+@pytest.mark.parametrize("s", [-2.0, 0.5])
+@pytest.mark.parametrize("Q", [0.0, 0.25, -0.25])
+def test_printed_roots_are_those_of_the_quadratic(s: float, Q: float) -> None:
+    """As complex numbers: growth and frequency alone do not tell the sign of B, nor one root from two."""
+    setting = Setting("semi-lagrangian", "scni", "3/2", stress_ratio=str(s), velocity_gradient=str(Q))
+    found = roots_over(setting, KH)(s, Q)
+    for theta, pair in zip(KH.tolist(), found, strict=True):
+        of_layer = [complex(b.omega.re, b.omega.im) for b in dispersion(setting, [theta])]
+        for omega in of_layer:
+            assert abs(pair - omega).min() < 1e-7
+        assert abs(pair.sum() - sum(of_layer)) < 1e-7
+
+
+def _rounded_to(rows: list[dict[str, Any]], column: str, digits: int) -> None:
+    """All values of a column have so many digits, and some no fewer: what is printed is what the study says that it prints."""
+    values = [row[column] for row in rows if np.isfinite(row[column])]
+    assert all(round(value, digits) == value for value in values), column
+    assert any(round(value, digits - 1) != value for value in values), column
+
+
+def test_every_column_has_its_digits_and_its_value() -> None:
+    """Half a unit of the last digit from a value by another function, for all formulations."""
+    found = relations(list(FORMULATIONS), ["19/10", "5/2"])
+    assert ("printed SCNI", "19/10") in found
+    assert ("printed SCNI", "5/2") not in found
+    stresses = ["-7/10", "3/5"]
+    steps, waves, ends = step_rows(found, stresses), wave_rows(found, stresses, 5), stress_rows(found)
+    assert len(steps) == 2 * len(found)
+    assert len(waves) == 5 * len(steps)
+    for row in steps:
+        relation, s = found[row["formulation"], row["support_ratio"]], float(Fraction(row["stress_ratio"]))
+        grid = relation.omega_squared(s, np.linspace(0, pi, 2001))
+        assert abs(row["omega_max"] - sqrt(max(grid.max(), 0))) <= 1e-5
+        # The largest is at least what a fine grid sees; above it by a parabola's height between two samples.
+        top = relation.omega_squared(s, np.array([relation.wave_of_largest(s)]))[0]
+        assert abs(row["omega_max"] - sqrt(top)) <= 0.51e-9
+        assert abs(row["critical_step"] - 2 / sqrt(top)) <= 0.51e-9
+        assert abs(row["least_squared"] - relation.extremes(s)[0]) <= 0.51e-9
+    for row in waves:
+        relation, s = found[row["formulation"], row["support_ratio"]], float(Fraction(row["stress_ratio"]))
+        exact = relation.omega_squared(s, np.array([row["kh"]]))[0]
+        assert abs(row["omega_squared"] - exact) <= 0.51e-9 + 1e-9  # kh has ten digits
+    assert {row["kh"] for row in waves} == {round(pi * (2 * n - 1) / 10, 10) for n in range(1, 6)}
+    for row in ends:
+        low, high = found[row["formulation"], row["support_ratio"]].stable_stresses()
+        for value, exact in ((row["stable_from"], low), (row["stable_to"], high)):
+            assert value == exact or abs(value - exact) <= 0.51e-6
+    for rows, column, digits in (
+        (steps, "omega_max", 9), (steps, "critical_step", 9), (steps, "least_squared", 9), (waves, "omega_squared", 9),
+        (waves, "kh", 10),
+    ):  # fmt: skip
+        _rounded_to(rows, column, digits)
+
+
+def test_readings_have_intervals_of_their_own() -> None:
+    """For each law and measure the relation of that setting; they differ, and infinite ends stay infinite."""
+    rows = reading_rows(["DNI full", "SCNI"], ["7/4"], ["truesdell", "cauchy-rate"], ["edges", "fixed"])
+    assert len(rows) == 8
+    for row in rows:
+        setting = replace(
+            FORMULATIONS[row["formulation"]],
+            support_ratio=row["support_ratio"], stress_law=row["stress_law"], cell_measure=row["cell_measure"],
+        )  # fmt: skip
+        for column, exact in zip(("stable_from", "stable_to"), at_rest(setting).stable_stresses(), strict=True):
+            assert row[column] == exact or abs(row[column] - exact) <= 0.51e-6
+    assert len({(row["stable_from"], row["stable_to"]) for row in rows}) >= 3
+    assert any(np.isinf(row["stable_to"]) for row in rows)
+
+
+def test_moving_and_motion_rows_are_those_of_their_settings() -> None:
+    """Growth, D, the change per |Q| and the growth at s >= -1, for DNI, from the roots at each (s, Q)."""
+    case, samples = Case("dni", "3/2"), 6
+    kh = pi * np.arange(1, samples + 1) / samples
+    gradients, stresses = [0.3, -0.2], [-1.4, -1.0, 0.35]
+
+    roots = cache(lambda case, layer: roots_over(case.setting(layer), kh))
+
+    def largest(layer: str, s: float, Q: float) -> float:
+        return float(growth(roots(case, layer)(s, Q)).max())
+
+    moving = moving_rows([case], gradients, stresses, samples)
+    assert len(moving) == 3 * 2 * 3
+    for row in moving:
+        s, Q = row["stress_ratio"], row["Q"]
+        assert abs(row["growth"] - largest(row["layer"], s, Q)) <= 0.51e-7
+        assert row["case"] == "DNI full, R = 3/2"
+        if row["layer"] == "printed":
+            relation = printed_relation(Setting("semi-lagrangian", "dni", "3/2"))
+            least = min(relation.discriminant(relation.state(s, Q), theta) for theta in kh)
+            assert abs(row["discriminant"] - least) <= 0.51e-7
+        else:
+            assert np.isnan(row["discriminant"])
+    _rounded_to(moving, "growth", 7)
+    _rounded_to(moving, "discriminant", 7)
+    motion = motion_rows([case, Case("dni", "5/2"), Case("scni", "7/4")], gradients, stresses, samples)
+    assert [(row["case"], row["layer"]) for row in motion[::2]] == [
+        *[(case.label, layer) for layer in ANALYTIC],
+        ("DNI full, R = 5/2", "as-defined"),
+        ("DNI full, R = 5/2", "consistent"),
+        *[("SCNI, R = 7/4", layer) for layer in ANALYTIC],
+    ]
+    turns = []
+    for row in motion[:6] + motion[-6:]:
+        Q, layer = row["Q"], row["layer"]
+        case = Case("scni", "7/4") if row["case"].startswith("SCNI") else Case("dni", "3/2")
+        change = max(abs(largest(layer, s, Q) - largest(layer, s, 0.0)) for s in stresses) / abs(Q)
+        stable = max(largest(layer, s, Q) for s in stresses if s >= -1) / abs(Q)
+        assert abs(row["change"] - change) <= 0.51e-5
+        assert abs(row["stable_growth"] - stable) <= 0.51e-5
+        if layer == "printed" and case.integration == "dni":
+            assert row["turn"] == -100  # the end of the range that is looked at: nothing grows there
+        elif layer == "printed":
+            turns.append(row["turn"])
+            # some growth just below the turn, none just above, by more than a unit of its last digit
+            assert largest(layer, row["turn"] - 1e-4, Q) > 1e-6 >= largest(layer, row["turn"] + 1e-4, Q)
+        else:
+            assert np.isnan(row["turn"])
+    assert all(round(turn, 6) == turn != round(turn, 5) for turn in turns)
+    assert len(set(turns)) == 2
+    _rounded_to(motion, "change", 5)
+    _rounded_to(motion, "stable_growth", 5)
+
+
+def test_both_forms_in_print_and_their_digits() -> None:
+    """Rows for R < 2 alone in print; least values against the relations' own, in the units of each."""
+    rows = same_material_rows(("printed", "as-defined"), ("7/4", "2"), ("4/5", "3/2"), ("-6/5", "1/3"))
+    assert [(row["layer"], row["support_ratio"]) for row in rows[::4]] == [
+        ("printed", "7/4"), ("as-defined", "7/4"), ("as-defined", "2"),
+    ]  # fmt: skip
+    for row in rows:
+        F, s = float(Fraction(row["stretch"])), float(Fraction(row["stress_ratio"]))
+        R, layer = row["support_ratio"], row["layer"]
+        semi = at_rest(Setting("semi-lagrangian", "scni", R, layer=layer)).extremes(s)[0]
+        one = at_rest(Setting("lagrangian", "scni", R, stretch=row["stretch"], layer=layer)).extremes(s * F**2)[0]
+        assert abs(row["semi_lagrangian_least"] - semi) <= 0.51e-9
+        assert abs(row["lagrangian_least"] - one) <= 0.51e-9
+        # In print the two forms have stencils of their own.
+        assert (row["difference"] > 1e-3) == (layer == "printed")
+    kh = pi * np.arange(65) / 64
+    bar_squares = at_rest(Setting("lagrangian", "scni", "7/4", stretch="3/2")).omega_squared(0.75, kh)
+    semi_squares = at_rest(Setting("semi-lagrangian", "scni", "7/4")).omega_squared(1 / 3, kh)
+    (row,) = (r for r in rows if (r["layer"], r["stretch"], r["stress_ratio"]) == ("printed", "3/2", "1/3"))
+    assert abs(row["difference"] - abs(bar_squares - 2.25 * semi_squares).max() / bar_squares.max()) <= 0.51e-9
+    constant = constant_moduli_rows(("as-defined",), "7/4", ("1/2", "1/10"))
+    for row in constant:
+        F = float(Fraction(row["stretch"]))
+        one = at_rest(Setting("lagrangian", "scni", "7/4", stretch=row["stretch"], layer="as-defined"))
+        semi = at_rest(Setting("semi-lagrangian", "scni", "7/4", layer="as-defined"))
+        assert abs(row["lagrangian_least"] - one.extremes((F * F - 1) / 2)[0]) <= 0.51e-9
+        assert abs(row["semi_lagrangian_least"] - semi.extremes(F - 1)[0]) <= 0.51e-9
+    _rounded_to(rows, "lagrangian_least", 9)
+    _rounded_to(constant, "lagrangian_least", 9)
+
+
+def test_both_forms_measured_grow_as_their_relations() -> None:
+    """Near kh = pi/2, on the same material at a stretch of 6/5 one growth in two units; with constant moduli two."""
+    (same,) = measured_rows([("7/4", "-3/2")], "6/5")
+    (calm,) = measured_rows([("7/4", "1/2")], "6/5")
+    (constant,) = measured_constant_moduli("7/4", "1/2")
+    assert calm["lagrangian_growth"] == calm["semi_lagrangian_growth"] == 0
+    kh = np.array([pi / 2])
+    semi = at_rest(Setting("semi-lagrangian", "scni", "7/4", layer="as-defined"))
+    assert abs(same["semi_lagrangian_growth"] - sqrt(-semi.omega_squared(-1.5, kh)[0])) <= 1e-5
+    assert abs(same["lagrangian_growth"] - same["semi_lagrangian_growth"]) <= 1e-5
+    one = at_rest(Setting("lagrangian", "scni", "7/4", stretch="1/2", layer="as-defined"))
+    assert abs(constant["lagrangian_growth"] * 0.5 - sqrt(-one.omega_squared(-0.375, kh)[0])) <= 1e-5
+    assert constant["semi_lagrangian_growth"] == 0
+    assert [(row["moduli"], row["stretch"], row["stress_ratio"]) for row in (same, constant)] == [
+        ("same material", "6/5", -1.5), ("constant moduli", "1/2", -0.5),
+    ]  # fmt: skip
+    assert round(same["lagrangian_growth"], 6) == same["lagrangian_growth"]
+
+
+def test_curves_have_their_digits_and_every_case() -> None:
+    """Seven digits, kh with ten; the growth of an unstable bar over c, and what a measurement cannot tell from zero is zero."""
+    rows = semi_lagrangian_rows([Case("scni", "7/4"), Case("dni", "7/4")], "-1/2", ["0", "1"], "1/10", 6, [])
+    rows += semi_lagrangian_rows([Case("dni", "7/4")], "-1/2", [], "1/10", 6, [2])
+    kh = pi * np.arange(1, 7) / 6
+    roots = cache(lambda setting: roots_over(setting, kh))
+    for row in rows:
+        if row["layer"] == "simulated":
+            continue
+        integration = "scni" if row["case"].startswith("SCNI") else "dni"
+        setting = Setting("semi-lagrangian", integration, "7/4", layer=row["layer"])
+        omega = roots(setting)(-0.5, 0.1 * float(row["Q"]))[[round(row["kh"] / pi * 6) - 1]]
+        assert abs(row["growth"] - growth(omega)[0]) <= 1e-6
+        assert abs(row["frequency"] - frequency(omega)[0]) <= 1e-6
+        assert row["uncertain_below"] == 0
+    assert {row["kh"] for row in rows} == {round(pi * n / 6, 10) for n in range(1, 7)} | {round(pi / 4, 10)}
+    _rounded_to(rows, "growth", 7)
+    _rounded_to(rows, "frequency", 7)
+    measured = [row for row in rows if row["layer"] == "simulated"]
+    assert [row["case"] for row in measured] == ["DNI full, R = 7/4"]
+    assert all(row["growth"] == 0 or row["frequency"] == 0 for row in measured)
+    assert all(row["uncertain_below"] in (1e-5, 1e-3) for row in measured)
+    bars = lagrangian_rows(["scni", "dni"], ["7/4"], "6/5", "1/3", 4, [3])
+    c = sqrt(1.44 + 1 / 3)
+    for row in bars:
+        layer = row["layer"] if row["layer"] != "simulated" else "as-defined"
+        integration = "scni" if row["case"].startswith("SCNI") else "dni"
+        setting = Setting("lagrangian", integration, "7/4", stretch="6/5", layer=layer)
+        squared = at_rest(setting).omega_squared(1 / 3, np.array([row["kh"]]))[0]
+        assert row["growth"] == 0
+        assert abs(row["frequency"] - sqrt(max(squared, 0)) / c) <= 1e-6
+        assert row["uncertain_below"] == (1e-5 if row["layer"] == "simulated" else 0)
+    assert [(row["case"], row["layer"]) for row in bars] == [
+        *[("SCNI, R = 7/4", "printed")] * 4, *[("SCNI, R = 7/4", "as-defined")] * 4, ("SCNI, R = 7/4", "simulated"),
+        *[("DNI, R = 7/4", "as-defined")] * 4, ("DNI, R = 7/4", "simulated"),
+    ]  # fmt: skip
