@@ -90,18 +90,21 @@ def compute(p: Parameters) -> Tables:
             COLUMNS,
             "D along kh; every digit is certain.",
             Certified(),
+            across="kh",
         ),
         "map_Q": table(
             discriminants(p.readings[:1], R, wide, (_middle(p),), p.map_gradients, p.map_samples),
             COLUMNS,
             "D over kh and Q.",
             Certified(),
+            across="kh",
         ),
         "map_stress": table(
             discriminants(p.readings, R, wide, p.map_stresses, ("0",), p.map_samples),
             COLUMNS,
             "D over kh and sigma / C^sigma without a velocity gradient.",
             Certified(),
+            across="kh",
         ),
         "census": table(
             census(p.readings, p.tried_support_ratios, p.spacings, p.tried_stresses, p.gradients, p.tried_samples),

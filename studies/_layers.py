@@ -21,7 +21,7 @@ def layer_table(rows: Sequence[Row], caption: str) -> Table:
         ("uncertain_below", "1", "bound on the uncertainty of a measured growth h/c, 0 where nothing is measured"),
     ]
     why = "double precision: a double root moves by the square root of rounding, a measured one by its uncertainty"
-    return table(rows, columns, caption, Numeric(0, BOUNDS[0], why))
+    return table(rows, columns, caption, Numeric(0, BOUNDS[0], why), across="kh")
 
 
 def draw_layers(tables: Tables, spacing: float, gradients: Sequence[str]) -> Any:

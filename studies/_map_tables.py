@@ -124,6 +124,7 @@ def compute(p: Parameters) -> Tables:
             ],
             "omega^2 of DNI over R and kh at Q = 0.",
             ROUNDING,
+            across="kh",
         ),
         "moving": table(
             sets.moving_rows(p.moving, gradients, stresses, p.samples),
@@ -137,6 +138,7 @@ def compute(p: Parameters) -> Tables:
             ],
             "Growth over velocity gradient and stress.",
             ROOTS,
+            across="stress_ratio",
         ),
         "readings": table(
             sets.reading_rows(("SCNI", "DNI full", "DNI diffuse"), p.reading_ratios, p.laws, p.measures),

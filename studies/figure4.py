@@ -42,6 +42,7 @@ def compute(p: Parameters) -> Tables:
             ],
             "The curves of Figure 4; every digit is certain, 0e-N is an enclosure of 0.",
             Certified(),
+            across="kh",
         ),
         "near_pi": table(
             frequencies_near_pi(p.support_ratios, p.samples),

@@ -185,14 +185,14 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
     )
     plate.grid(False)
     figure.colorbar(shown, ax=plate, label="plastic strain α  (1)", shrink=0.75)
-    for n, (name, part) in enumerate(residuals.groupby("tangent", sort=True)):
-        newton.plot(
-            part["step"], part["residual"].clip(lower=1e-16), **LINES[2 * n], marker="os"[n], ms=4, label=str(name)
-        )
+    for n, (_, part) in enumerate(residuals.groupby("tangent", sort=True)):
+        newton.plot(part["step"], part["residual"].clip(lower=1e-16), **LINES[2 * n], marker="os"[n], ms=4)
     newton.set(
         yscale="log", ylim=(1e-16, 3), xlabel="Newton step  (1)", ylabel="residual / first  (1)", title="one load step"
     )
-    newton.legend(fontsize=7, loc="lower left", title="tangent", title_fontsize=7, handlelength=2)
+    # A legend would cover one of the two curves: each has its name beside it.
+    for n, (name, place) in enumerate((("consistent\ntangent", (5.6, 1e-7)), ("elastic tangent", (4.2, 6e-3)))):
+        newton.text(*place, name, fontsize=7, color=LINES[2 * n]["color"], va="center")
     caption = (
         f"J2 plasticity with Jaumann's rate, SCNI in the reference configuration, order 1, cubic kernel, supports {cyclic.SUPPORT_RATIO} spacings, yield "
         f"stress {cyclic.YIELD:g} and hardening {cyclic.HARDENING:g} (mu = {MODULI.shear:g}, lambda = {MODULI.lame:g}), plane strain. Left: one cycle of a square with jittered nodes. Middle: "

@@ -247,6 +247,7 @@ def compute(p: Parameters) -> Tables:
             ],
             "omega^2 along kh, cubic kernel.",
             ROUNDED,
+            across="kh",
         ),
         "at_pi": table(
             _at_pi(p),

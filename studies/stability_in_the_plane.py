@@ -105,6 +105,7 @@ def compute(p: Parameters) -> Tables:
             [METHOD, STATE, *WAVE, ("growth", "1/time", "largest growth of the two waves")],
             f"Growth over half the Brillouin zone of the square lattice, R = {p.ratio}; {size}.",
             GROWS,
+            across=WAVE[1][0],
         ),
         "chain": table(
             surveys.chain_rows(p.lattices, [m for m in p.methods if m != SNNI], p.support_ratios, p.stress, p.waves),
@@ -161,6 +162,7 @@ def compute(p: Parameters) -> Tables:
             [METHOD, *WAVE, ("strain", "1/length", "least strain of a wave of unit amplitude")],
             f"Strain over a quarter of the Brillouin zone of the square lattice, R = {p.ratio}.",
             GROWS,
+            across=WAVE[1][0],
         ),
         "drawn": table(
             evidence.drawn_rows(6, 0.25),

@@ -98,5 +98,6 @@ def _continued(source: str) -> str:
 def _signature(thing: Any) -> str:
     """How it is called, annotations without the modules that they come from."""
     text = str(inspect.signature(thing)).replace(" -> None", "").replace(ARRAY, "Array")
+    text = re.sub(r"<function .*? at 0x\w+>", "…", text)  # a default that is a function shows where it is in memory
     short = re.sub(r"(?:[a-z_]+\.)+(?=[A-Za-z])", "", text)
     return f"{thing.__name__}{short}"

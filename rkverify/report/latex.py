@@ -5,6 +5,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from io import StringIO
 from pathlib import Path
+from typing import Any
 
 from rkverify.errors import BadInput
 from rkverify.ledger.entries import entries
@@ -47,7 +48,7 @@ def export(place: Checkout, names: Sequence[str], folder: Path, rows: int = ROWS
         for file, words in description(place, study)["tables"].items():
             tex = f"rkverify-{study}-{Path(file).stem}.tex".replace("_", "-")
             content = place.results.joinpath(study, file).read_text(encoding="utf-8")
-            if content.count("\n") - 1 > rows:
+            if length(content, words) > rows:
                 left_out.append(f"{study}/{file}")
             else:
                 written[tex] = table(content, words, f"{study}/{file}")
@@ -92,14 +93,22 @@ def _macro_file(found: Mapping[str, str]) -> str:
     return "\n".join([HEAD.format(of="states and statements"), *lines]) + "\n"
 
 
-def table(content: str, words: Mapping[str, object], source: str) -> str:
+def length(content: str, words: Mapping[str, Any]) -> int:
+    """How many rows a CSV file has, each point counted where a line is a curve of them."""
+    header, *lines = list(csv.reader(StringIO(content)))
+    return len(lines) * (1 + len(header) - len(words["columns"]))
+
+
+def table(content: str, words: Mapping[str, Any], source: str) -> str:
     """A CSV file as a tabular: names of columns, units, and what they mean as comments."""
     header, *lines = list(csv.reader(StringIO(content)))
-    columns = {column["name"]: column for column in words["columns"]}  # type: ignore[attr-defined]
-    units = [f"({columns[title]['unit']})" if columns[title]["unit"] else "" for title in header]
+    columns = {column["name"]: column for column in words["columns"]}
+    points = words["columns"][-1]  # describes the columns that the points of a curve have
+    told = [columns.get(title, points)["unit"] for title in header]
+    units = [f"({unit})" if unit else "" for unit in told]
     long = [any(len(line[n]) >= LONG for line in lines) for n in range(len(header))]
     shape = "".join("p{0.3\\textwidth}" if wide else "l" for wide in long)
-    comments = [f"%   {title}: {text(columns[title]['meaning'])}" for title in header]
+    comments = [f"%   {title.replace('…', '...')}: {text(column['meaning'])}" for title, column in columns.items()]
 
     def row(cells: Sequence[str]) -> str:
         return " & ".join(cells) + " \\\\"

@@ -24,6 +24,8 @@ FORMULA = re.compile(r"\$\$(.+?)\$\$|\$([^$\n]+?)\$", re.DOTALL)
 NAMED = re.compile(r"\((\d{1,2}|[CEF]\d{1,2})\)")
 """An equation as (40) or an entry as (C49)."""
 DESCRIBED = re.compile(r"<desc[^>]*>(.*?)</desc>", re.DOTALL)
+DRAWN = re.compile(r'<img data-drawn="([^"]*)" src="[^"]*"')
+"""A drawing of a study: the page shows the study's file, the notebook holds it."""
 ESCAPES = re.compile(r"\x1b\[[0-9;]*m")
 
 
@@ -65,13 +67,13 @@ def code(text: str) -> Markup:
     return Markup(highlight(text, PythonLexer(), HtmlFormatter(nowrap=True)))
 
 
-def output(shown: Any) -> Markup:
-    """One output of a cell: the richest form of it that needs no script."""
+def output(shown: Any, results: str) -> Markup:
+    """One output of a cell: the richest form of it that needs no script; `results` is where studies' drawings are."""
     if shown["output_type"] == "stream":
         return _lines(shown["text"])
     data = shown["data"]
     if "text/html" in data:
-        return Markup(data["text/html"])
+        return Markup(DRAWN.sub(rf'<img src="{results}/\1"', data["text/html"]))
     if "text/markdown" in data:
         return markdown(data["text/markdown"])
     if "image/svg+xml" in data:
@@ -109,6 +111,7 @@ def _from_page(place: Checkout, *parts: str) -> str:
 def notebook_page(place: Checkout, every: "Sequence[Source]", source: "Source", notebook: Any, foot: str) -> str:
     """The page of one executed notebook."""
     solutions = ("notebooks", "solutions", f"{source.name}.py")
+    results = os.path.relpath(place.results, place.pages / "notebooks").replace(os.sep, "/")
     return (
         _environment()
         .get_template("notebook.html.j2")
@@ -120,6 +123,7 @@ def notebook_page(place: Checkout, every: "Sequence[Source]", source: "Source", 
             stored=_from_page(place, "notebooks", f"{source.name}.ipynb"),
             solutions=_from_page(place, *solutions) if place.root.joinpath(*solutions).is_file() else "",
             foot=foot,
+            results=results,
         )
     )
 

@@ -57,12 +57,13 @@ def says(words: str) -> Sentence:
     return Sentence(words)
 
 
-def _picture(drawing: str, alternative: str, caption: str) -> Shown:
+def _picture(drawing: str, alternative: str, caption: str, file: str = "") -> Shown:
     source = "data:image/svg+xml;base64," + b64encode(drawing.encode()).decode()
+    drawn = f'data-drawn="{file}" ' if file else ""
     words = escape(alternative)
     below = f'<p class="caption">{escape(caption)}</p>' if caption else ""
     return Shown(
-        f'<figure><img src="{source}" alt="{words}"><figcaption><p>{words}</p>{below}</figcaption></figure>',
+        f'<figure><img {drawn}src="{source}" alt="{words}"><figcaption><p>{words}</p>{below}</figcaption></figure>',
         f"Figure: {alternative}",
     )
 
@@ -88,7 +89,7 @@ def study_figure(study: str, name: str) -> Shown:
         drawing = (folder / name).read_text(encoding="utf-8")
     except (OSError, KeyError):
         raise BadInput(f"study {study} has no figure {name}: run `rkverify run {study}`") from None
-    return _picture(drawing, words["alternative"], words["caption"])
+    return _picture(drawing, words["alternative"], words["caption"], f"{study}/{name}")
 
 
 def table(rows: Iterable[Mapping[str, Any]], caption: str) -> Shown:

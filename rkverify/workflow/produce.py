@@ -41,7 +41,7 @@ def produce(name: str, study: Study, parameters: Any, identity: Identity) -> dic
         "study": name,
         "title": study.title,
         "tables": {
-            f"{key}.csv": {"caption": table.caption, "columns": [asdict(column) for column in table.columns]}
+            f"{key}.csv": {"caption": table.caption, "columns": [asdict(column) for column in table.columns_of_file]}
             for key, table in tables.items()
         },
         "figures": {

@@ -6,6 +6,7 @@ from math import ceil, log10
 from typing import TYPE_CHECKING, Any
 
 from rkverify.workflow.compare import Certified, Comparison
+from rkverify.workflow.spread import QUANTITY, spread
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -25,12 +26,17 @@ class Column:
 
 @dataclass(frozen=True)
 class Table:
-    """A named table: columns with units over a frame, what it shows, and how reruns are compared."""
+    """A named table: columns with units over a frame, what it shows, and how reruns are compared.
+
+    across: a column whose values head the columns of the file, which then has a line for each combination of the
+    columns before it, and for each column after it where there are several: a curve or a row of a map in one line.
+    """
 
     columns: tuple[Column, ...]
     frame: "pd.DataFrame"
     caption: str
     comparison: Comparison = field(default_factory=Certified)
+    across: str = ""
 
     def __post_init__(self) -> None:
         """Raises ValueError where the frame does not have the columns that are described."""
@@ -40,17 +46,40 @@ class Table:
 
     def text(self) -> str:
         """The table as CSV."""
-        return str(self.frame.to_csv(index=False, lineterminator="\n", float_format="%.12g"))
+        frame = spread(self.frame, self.across) if self.across else self.frame
+        return str(frame.to_csv(index=False, lineterminator="\n", float_format="%.12g"))
+
+    @property
+    def columns_of_file(self) -> list[Column]:
+        """The columns of the file; those that `across` heads, such as 'kh = 0', are described in one."""
+        if not self.across:
+            return list(self.columns)
+        at = [column.name for column in self.columns].index(self.across)
+        head, values = self.columns[at], self.columns[at + 1 :]
+        where = f"at this {head.name} ({head.unit}), {head.meaning}"
+        if len(values) == 1:
+            return [*self.columns[:at], Column(f"{head.name} = …", values[0].unit, f"{values[0].meaning}, {where}")]
+        told = "; ".join(f"{v.name} ({v.unit}): {v.meaning}" for v in values)
+        return [
+            *self.columns[:at],
+            Column(QUANTITY, "", f"what the line holds. {told}"),
+            Column(f"{head.name} = …", "", f"the quantity, in its own unit, {where}"),
+        ]
 
 
 def table(
-    rows: Sequence[Mapping[str, Any]], columns: Sequence[tuple[str, str, str]], caption: str, comparison: Comparison
+    rows: Sequence[Mapping[str, Any]],
+    columns: Sequence[tuple[str, str, str]],
+    caption: str,
+    comparison: Comparison,
+    across: str = "",
 ) -> Table:
-    """A table from rows (dicts) and its columns as (name, unit, meaning)."""
+    """A table from rows (dicts) and its columns as (name, unit, meaning); across: see `Table`."""
     import pandas as pd
 
     described = tuple(Column(*column) for column in columns)
-    return Table(described, pd.DataFrame(list(rows), columns=[c.name for c in described]), caption, comparison)
+    frame = pd.DataFrame(list(rows), columns=[c.name for c in described])
+    return Table(described, frame, caption, comparison, across)
 
 
 def rounding(size: float) -> str:

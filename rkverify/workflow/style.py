@@ -19,8 +19,12 @@ LINES: tuple[dict[str, Any], ...] = (
     {"color": "#CC79A7", "linestyle": (0, (3, 1, 1, 1, 1, 1))},
     {"color": "#E69F00", "linestyle": (0, (8, 2))},
 )
-HASHED = re.compile(r"(?<=[\"#])([a-z])[0-9a-f]{10}(?=[\")])")
-"""A name that Matplotlib gives, where it is defined or referred to."""
+HASHED = re.compile(r"(?<=[\"#])(?:(?P<kind>[a-z])[0-9a-f]{10}|DejaVu[\w-]+)(?=[\")])")
+"""A name that Matplotlib gives to a clip path, a marker or a letter, where it is defined or referred to."""
+PLACES = re.compile(r' (d|x|y|width|height)="([^"]*)"')
+MOVED = re.compile(r"(?<=translate\()[^)]*")
+LETTER = re.compile(r'(<use [^>]*?) transform="translate\((\S+) 0\)"/>')
+FRACTION = re.compile(r"-?\d+\.\d+")
 
 POSITIVE, NEGATIVE = "#DDE8F0", "#E8A06A"
 
@@ -93,18 +97,43 @@ def sign_key(figure: "FigureBase", positive: str, negative: str, line: str) -> N
 
 
 def _numbered_names(text: str) -> str:
-    """The drawing with its clip paths and markers named in order: their own names are hashes of unrounded coordinates."""
+    """The drawing with its clip paths, markers and letters named in order: their own names are long, and hashes of unrounded coordinates."""
     names: dict[str, str] = {}
-    return HASHED.sub(lambda m: names.setdefault(m[0], f"{m[1]}{len(names)}"), text)
+    counts: dict[str, int] = {}
+
+    def number(found: re.Match[str]) -> str:
+        if found[0] not in names:
+            kind = found["kind"] or "g"
+            names[found[0]] = f"{kind}{counts.setdefault(kind, 0)}"
+            counts[kind] += 1
+        return names[found[0]]
+
+    return HASHED.sub(number, text)
+
+
+def _hundredth(found: re.Match[str]) -> str:
+    text = f"{float(found[0]):.2f}".rstrip("0").rstrip(".")
+    return "0" if text == "-0" else text
+
+
+def _rounded_places(text: str) -> str:
+    """The drawing with coordinates to a hundredth of a point, a fiftieth of its thinnest line, and letters placed by x alone."""
+
+    def places(found: re.Match[str]) -> str:
+        points = FRACTION.sub(_hundredth, found[2])
+        return f' {found[1]}="{re.sub(r"(?<=[A-Za-z]) ", "", points).strip()}"'
+
+    text = MOVED.sub(lambda m: FRACTION.sub(_hundredth, m[0]), PLACES.sub(places, text))
+    return LETTER.sub(r'\1 x="\2"/>', text)
 
 
 def svg(figure: "Figure", title: str, alternative: str) -> str:
     """The figure as SVG text, the same for the same data, with its title and its alternative text inside."""
     stream = StringIO()
-    figure.savefig(stream, format="svg", metadata={"Date": None, "Creator": None})
-    text = _numbered_names(stream.getvalue())
+    figure.savefig(stream, format="svg", metadata=dict.fromkeys(("Date", "Creator", "Format", "Type")))
+    text = _rounded_places(_numbered_names(stream.getvalue()))
     start = text.index("<svg")
     end = text.index(">", start)
     words = f'\n <title id="t">{escape(title)}</title>\n <desc id="d">{escape(alternative)}</desc>'
     lines = (text[:end] + ' role="img" aria-labelledby="t d">' + words + text[end + 1 :]).splitlines()
-    return "\n".join(line.rstrip() for line in lines) + "\n"
+    return "\n".join(filter(None, (line.strip() for line in lines))) + "\n"
