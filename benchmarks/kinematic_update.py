@@ -2,7 +2,8 @@
 
 Neighbours, cells, shape functions with full gradients at the nodes, and the smoothed gradients of SCNI, on a jittered
 lattice after a shear: order 1, R = 2, one thread, each size in a process of its own, best of some repeats. Then cells beside a
-bare Delaunay triangulation by Qhull on the same nodes, alternating. Writes reports/benchmarks/kinematic_update.csv, cells.csv, .svg.
+bare Delaunay triangulation by Qhull on the same nodes, alternating; and shape functions with the nodes numbered along the lattice's
+lines, at random, and at random but sorted again. Writes reports/benchmarks/kinematic_update.csv, cells.csv, numbering.csv, .svg.
 """
 
 import json
@@ -33,6 +34,7 @@ SIZES = (1_000, 10_000, 100_000, 1_000_000)
 REPEATS = {1_000: 9, 10_000: 5, 100_000: 3, 1_000_000: 3}
 STAGES = ("neighbours", "cells", "shape functions", "gradients")
 SUPPORT, SHEAR, QHULL_NODES = 2.0, 0.2, 100_000
+NUMBERINGS = ("along lines", "shuffled", "shuffled, then sorted")
 
 
 def moved_lattice(count: int) -> tuple[np.ndarray, np.ndarray]:
@@ -86,6 +88,33 @@ def beside_qhull(count: int, rounds: int = 5) -> dict[str, float]:
     return {"nodes": len(places), "cells": median(ours), "delaunay": median(theirs), "ratio": median(ours) / median(theirs)}  # fmt: skip
 
 
+def numbered(places: np.ndarray, how: str) -> np.ndarray:
+    """The same nodes in another order: as they lie, shuffled, or shuffled and then sorted by strips a support wide."""
+    if how == "along lines":
+        return places
+    mixed = np.random.default_rng(1).permutation(places)
+    if how == "shuffled":
+        return mixed
+    return mixed[np.lexsort([mixed[:, 0], np.floor(mixed[:, 1] / SUPPORT)])]
+
+
+def by_numbering(count: int) -> dict[str, float]:
+    """Best seconds of the shape functions for each numbering: the same sums, from other places in memory."""
+    stages(400)  # compile
+    found: dict[str, float] = {"nodes": count}
+    for how in NUMBERINGS:
+        places = numbered(moved_lattice(count)[0], how)
+        nodes = cloud(places, SUPPORT)
+        known = neighbours(nodes, places)
+        taken = []
+        for _ in range(REPEATS[count]):
+            start = perf_counter()
+            shape(nodes, places, 1, "full", known)
+            taken.append(perf_counter() - start)
+        found[how] = min(taken)
+    return found
+
+
 def in_process(*words: str) -> str:
     """What this file prints in a process of its own, with one thread."""
     quiet = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "NUMBA_NUM_THREADS": "1"}
@@ -106,7 +135,6 @@ def draw(table: pd.DataFrame) -> None:
     right.set(xlabel="nodes  (1)", ylabel="peak memory of the process  (GB)", ylim=(0, 4.9))
     right.legend(fontsize=8)
     figure.savefig(OUT / "kinematic_update.svg", metadata={"Date": None})
-    figure.savefig(OUT / "kinematic_update.png")
 
 
 def main() -> int:
@@ -124,12 +152,20 @@ def main() -> int:
     print(
         f"cells of {int(qhull['nodes'][0])} nodes: {qhull['ratio'][0]:.2f} times a bare Delaunay triangulation by Qhull"
     )
+    order = pd.DataFrame([json.loads(in_process("--numbering", str(count))) for count in SIZES[1:]])
+    order.to_csv(OUT / "numbering.csv", index=False, float_format="%.4g")
+    print(order.to_string(index=False, float_format="%.4g"))
+    for how in NUMBERINGS:
+        exponent = log(order[how].iloc[-1] / order[how].iloc[0]) / log(SIZES[-1] / SIZES[1])
+        print(f"growth exponent from 1e4 to 1e6 nodes, shape functions, nodes numbered {how}: {exponent:.2f}")
     return 0
 
 
 if __name__ == "__main__":
     if sys.argv[1:2] == ["--alone"]:
         alone(int(sys.argv[2]))
+    elif sys.argv[1:2] == ["--numbering"]:
+        print(json.dumps(by_numbering(int(sys.argv[2]))))
     elif sys.argv[1:2] == ["--qhull"]:
         print(json.dumps(beside_qhull(int(sys.argv[2]))))
     else:

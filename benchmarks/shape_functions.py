@@ -10,6 +10,7 @@ import os
 import subprocess
 import sys
 import tempfile
+from contextlib import suppress
 from itertools import product
 from pathlib import Path
 from statistics import median
@@ -63,13 +64,24 @@ def serve(file: str) -> None:
     print(*there.values[known.starts[middle] : known.starts[middle + 1]], flush=True)
 
 
-class Timed:
-    """A process that computes once for each line that it is sent."""
+class PeerEnded(RuntimeError):
+    """pycompadre's process ended before it was asked to."""
 
-    def __init__(self, *words: str) -> None:
+
+class Timed:
+    """A process that computes once for each line that it is sent; what a peer says as it ends is not shown."""
+
+    def __init__(self, words: list[str], peer: bool) -> None:
+        self.peer = peer
         quiet = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "NUMBA_NUM_THREADS": "1", "OMP_PROC_BIND": "false"}  # fmt: skip
         self.process = subprocess.Popen(
-            words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=quiet, cwd=ROOT
+            words,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL if peer else None,
+            text=True,
+            env=quiet,
+            cwd=ROOT,
         )
         while self._line() != "ready":
             pass
@@ -77,15 +89,19 @@ class Timed:
     def _line(self) -> str:
         assert self.process.stdout is not None
         line = self.process.stdout.readline()
-        if not line:
-            raise RuntimeError(f"{self.process.args} ended early")
-        return line.strip()
+        return line.strip() if line else self._ended()
+
+    def _ended(self) -> str:
+        raise (PeerEnded if self.peer else RuntimeError)(f"{self.process.args} ended early")
 
     def once(self) -> float:
         """Seconds of one computation."""
         assert self.process.stdin is not None
-        self.process.stdin.write("\n")
-        self.process.stdin.flush()
+        try:
+            self.process.stdin.write("\n")
+            self.process.stdin.flush()
+        except BrokenPipeError:
+            self._ended()
         return float(self._line())
 
     def end(self) -> np.ndarray:
@@ -96,26 +112,39 @@ class Timed:
         self.process.wait()
         return values
 
+    def stop(self) -> None:
+        """End the process where it has not ended, before its pipes are closed, of which it would complain."""
+        self.process.kill()
+        self.process.wait()
+        for pipe in (self.process.stdin, self.process.stdout):
+            with suppress(BrokenPipeError):
+                pipe.close()
+
 
 def measure(d: int, order: int, folder: Path, seed: int) -> dict[str, float]:
-    """Medians of both, points per second; raises RuntimeError where pycompadre ends early."""
-    data, timed = case(d, order, seed), {}
-    for name, solver in (("ours", ""), ("QR", "QR"), ("LU", "LU")):
-        file = folder / f"{name}.npz"
-        np.savez(file, solver=np.array(solver), **data)
-        words = (
-            [sys.executable, __file__, "--serve", str(file)]
-            if name == "ours"
-            else [str(PEERS), str(ROOT / "benchmarks" / "peers" / "pycompadre_timing.py"), str(file)]
-        )
-        timed[name] = Timed(*words)
-    samples: dict[str, list[float]] = {name: [] for name in timed}
-    for turn in range(ROUNDS + 1):
-        for name, process in timed.items():
-            seconds = process.once()
-            if turn:  # the first round warms up
-                samples[name].append(seconds)
-    values = {name: process.end() for name, process in timed.items()}
+    """Medians of both, points per second; raises PeerEnded."""
+    data = case(d, order, seed)
+    timed: dict[str, Timed] = {}
+    samples: dict[str, list[float]] = {"ours": [], "QR": [], "LU": []}
+    try:
+        for name in samples:
+            file = folder / f"{name}.npz"
+            np.savez(file, solver=np.array(name), **data)
+            words = (
+                [sys.executable, __file__, "--serve", str(file)]
+                if name == "ours"
+                else [str(PEERS), str(ROOT / "benchmarks" / "peers" / "pycompadre_timing.py"), str(file)]
+            )
+            timed[name] = Timed(words, peer=name != "ours")
+        for turn in range(ROUNDS + 1):
+            for name, process in timed.items():
+                seconds = process.once()
+                if turn:  # the first round warms up
+                    samples[name].append(seconds)
+        values = {name: process.end() for name, process in timed.items()}
+    finally:
+        for process in timed.values():
+            process.stop()
     count = len(data["nodes"]) * REPEATS
     medians = {name: median(taken) for name, taken in samples.items()}
     theirs = min(medians["QR"], medians["LU"])
@@ -141,7 +170,7 @@ def first_that_runs(d: int, order: int, folder: Path) -> dict[str, float]:
     for seed in SEEDS:
         try:
             return measure(d, order, folder, seed)
-        except (RuntimeError, BrokenPipeError):
+        except PeerEnded:
             print(f"{d}-D, order {order}: pycompadre ended early on the set of seed {seed}")
     raise RuntimeError(f"pycompadre ends early on every set in {d}-D of order {order}")
 
@@ -162,7 +191,6 @@ def draw(table: pd.DataFrame) -> None:
     axes.set_ylabel("points per second, one thread  (1/s)")
     axes.legend()
     figure.savefig(OUT / "shape_functions.svg", metadata={"Date": None})
-    figure.savefig(OUT / "shape_functions.png")
 
 
 def main() -> int:
