@@ -1,6 +1,6 @@
 """Mutation score of paper/, solid/ and stability/ on a seeded, stratified sample of mutants, without numba's compiler.
 
-    python -m controls.mutants [--count N] [--seed S] [--minutes M] [--again]
+    python -m controls.mutants [--count N] [--seed S] [--minutes M] [--workers W] [--again]
 
 The mutants are made by Cosmic Ray (`mutate.py`). Each runs, in a copy of the checkout, the tests of its own module alone:
 those that the catalogue names for it, then those of tests_of.toml. Survivors that `equivalent.toml` explains stay in the
@@ -19,7 +19,9 @@ import sys
 import tempfile
 import time
 import tomllib
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from queue import SimpleQueue
 from typing import Any
 
 from scipy.stats import binomtest
@@ -30,7 +32,7 @@ from controls.sandbox import ROOT, Sandbox
 PYTHON = ROOT / ".venv-mutants" / "bin" / "python"
 TABLE = ROOT / "reports" / "controls" / "mutants.csv"
 KEPT = ROOT / ".rkverify" / "mutants"
-SECONDS = 90
+SECONDS = 150
 """Of the processor, for the tests of one mutant: one that takes longer than all of them together hangs."""
 LEVEL = 0.95
 MUTANT = ("file", "line", "operator", "old", "new")
@@ -126,6 +128,7 @@ def main() -> int:
     options.add_argument("--count", type=int, default=320)
     options.add_argument("--seed", type=int, default=1)
     options.add_argument("--minutes", type=float, default=600.0)
+    options.add_argument("--workers", type=int, default=1, help="copies of the checkout that run at a time")
     options.add_argument("--again", action="store_true", help="run survivors again whose tests have changed")
     chosen = options.parse_args()
     os.nice(10)
@@ -141,19 +144,36 @@ def main() -> int:
     # Files take turns, so that a part of the sample is one of all of them.
     left.sort(key=lambda m: hashlib.sha256(f"{m['file']} {m['place']} {m['operator']}".encode()).hexdigest())
     due = [mutant for mutant in left if is_due(mutant, known, chosen.again)]
-    with tempfile.TemporaryDirectory(prefix="rkverify-mutants-") as folder, log.open("a", encoding="utf-8") as kept:
-        box = Sandbox(Path(folder))
-        for number, mutant in enumerate(due):
+    with (
+        tempfile.TemporaryDirectory(prefix="rkverify-mutants-") as folder,
+        log.open("a", encoding="utf-8") as kept,
+        ThreadPoolExecutor(chosen.workers) as pool,
+    ):
+        boxes: SimpleQueue[Sandbox] = SimpleQueue()
+        for worker in range(chosen.workers):
+            boxes.put(Sandbox(Path(folder) / str(worker)))
+
+        def run(mutant: Entry) -> tuple[str, str, float] | None:
             if time.monotonic() > until:
+                return None
+            box = boxes.get()
+            try:
+                return outcome(box, mutant)
+            finally:
+                boxes.put(box)
+
+        for number, (mutant, found) in enumerate(zip(due, pool.map(run, due), strict=True)):
+            if found is None:
                 print(f"time is up after {number} of {len(due)} mutants")
                 break
-            word, test, seconds = outcome(box, mutant)
+            word, test, seconds = found
             entry = {k: mutant[k] for k in MUTANT} | {"outcome": word, "test": test}
             known[identity(mutant)] = entry | {"tests": state_of(tests_of(mutant["file"]))}
             kept.write(json.dumps(known[identity(mutant)]) + "\n")
             kept.flush()
             print(f"{number + 1:4} {word:9} {mutant['file']}:{mutant['line']} {test} {seconds:.1f} s", flush=True)
-        box.close()
+        for _ in range(chosen.workers):
+            boxes.get().close()
     results = list(known.values())
     reasons = explained()
     for entry in results:
