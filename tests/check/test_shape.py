@@ -12,6 +12,8 @@ import pytest
 from rkverify.arithmetic.native import Float
 from rkverify.check.claim import predicted, without
 from rkverify.check.entries import entries
+from rkverify.check.held import hold
+from rkverify.check.rounding import lengths_at
 from rkverify.check.shape import check_shape
 from rkverify.check.sums import monomials, name_of
 from rkverify.kernels import KERNELS
@@ -20,6 +22,7 @@ from rkverify.paper.shape import shape_functions, shape_gradient
 from rkverify.readings import DERIVATIVES
 from rkverify.solid.cloud import cloud
 from rkverify.solid.kernel_values import kernel_values
+from rkverify.solid.neighbours import neighbours
 
 DIMENSIONS = (1, 2, 3)
 
@@ -174,12 +177,49 @@ def test_slips_in_the_gradient(spoil, words, plane):
     assert words in check_shape(plane.claim, replace(honest, numbers=spoil(honest.numbers))).verdict
 
 
-def test_one_wrong_number_is_named(plane):
+@pytest.mark.parametrize("error", [1e-9, -1e-9])
+def test_one_wrong_number_is_named(error, plane):
+    """Too large or too small: a bound on one side alone would let half of all errors pass."""
     honest = plane.numbers()
     numbers = honest.numbers.copy()
-    numbers[40, 2] += 1e-9
-    verdict = check_shape(plane.claim, replace(honest, numbers=numbers)).verdict
-    assert f"dpsi_dy of node {honest.nodes[40]} at point {honest.rows[40]}" in verdict
+    numbers[40, 2] += error
+    report = check_shape(plane.claim, replace(honest, numbers=numbers))
+    assert f"dpsi_dy of node {honest.nodes[40]} at point {honest.rows[40]}" in report.verdict
+    (constants,) = (f for f in report.findings if f.name == "gradients: constants")
+    assert not constants.holds
+    assert f"at point {honest.rows[40]}," in constants.says
+    length = plane.claim.cloud.supports[0]  # gradients are summed in its units
+    assert constants.size == pytest.approx(1e-9 * length, rel=1e-4)  # beside the rounding of some 1e-15
+
+
+def test_points_without_rows_are_accused_of_no_sum(plane):
+    """Sums over nothing are zero and not one: they are no wrong sums, while the pairs that are not there are missing."""
+    honest = plane.numbers()
+    kept = honest.rows != 7
+    sold = replace(honest, rows=honest.rows[kept], nodes=honest.nodes[kept], numbers=honest.numbers[kept])
+    held = {f.name: f.holds for f in check_shape(plane.claim, sold).findings}
+    assert all(holds for name, holds in held.items() if name.startswith(("values:", "gradients:")))
+    assert not held["missing pairs"]
+
+
+def test_the_unit_of_length_is_the_largest_support_over_a_point(case):
+    """What the moment matrix is scaled by: with any smaller unit the bound of a gradient, 1/length, would be too wide."""
+    claim = case(2, own=True).claim
+    found = lengths_at(claim.cloud, neighbours(claim.cloud, claim.points))
+    apart = np.linalg.norm(claim.points[:, None] - claim.cloud.positions[None], axis=2)
+    over = np.where(apart < claim.cloud.supports, claim.cloud.supports, 0.0)
+    np.testing.assert_array_equal(found, over.max(axis=1))
+    assert len(set(found.tolist())) > 3
+
+
+def test_what_is_allowed_at_a_point_is_a_matter_of_its_own_neighbours(case):
+    """Of a point alone, or among others: with the bounds of another point one wrong number would be let pass, or a right one not."""
+    one = case(2, own=True)
+    together = hold(one.claim, one.numbers())
+    assert np.ptp(together.allowed / together.allowed.min(axis=0)) > 0.5
+    for point in (0, 3, 19):
+        alone = replace(one, claim=one.claim.at(np.array([point])))
+        np.testing.assert_allclose(hold(alone.claim, alone.numbers()).allowed[0], together.allowed[point], rtol=1e-9)
 
 
 def test_values_alone_and_gradients_alone_are_checked(plane):

@@ -130,3 +130,37 @@ def test_other_units_of_stress_have_the_same_equilibrium(block, unit):
     for one, other in zip(*found, strict=True):
         assert abs(one.displacements - other.displacements).max() <= 1e-12
         assert len(one.residuals) == len(other.residuals)
+
+
+def test_a_small_load_moves_a_body_as_its_linear_stiffness_says(block):
+    """K d = f in the limit: a load that is not scaled, of the wrong sign, or a Newton iteration that ends early is none of it."""
+    made = block()
+    b = made.body()
+    load = 0.02 * np.tile([0.3, -1.0], (len(made.positions), 1)) * (made.positions[:, :1] > 0.9)
+    edge = boundary(made.cloud, made.cells, where=lambda x: x[:, 0] < 1e-9)
+    problem = Problem((nitsche(b, edge, np.zeros_like(edge.points)),), load)
+    K = tangent(b, problem, np.zeros_like(load)).toarray()
+    linear = nodal(np.linalg.solve(K, flat(load)), 2)
+    share = 1e-3
+    small, whole = equilibrium(b, scaled(problem, share)), equilibrium(b, problem)
+    # the second order is a share of the strains, some tenths at the whole load
+    assert abs(small.displacements / share - linear).max() <= share * abs(linear).max()
+    assert abs(whole.displacements - linear).max() > share * abs(linear).max()
+    for found in (small, whole):  # forces of size 1, of some ten terms
+        assert found.residuals[-1] <= 1e-14
+
+
+@pytest.mark.parametrize("factor", [2.0, 4.0])
+def test_the_penalty_is_the_stiffness_of_a_cell_over_its_depth(block, factor):
+    """beta_q = gamma |dP/dF| |Gamma_L|/A_L, with 2 (lambda + mu) for |dP/dF| at rest in the plane: a stress over a length."""
+    made = block()
+    b = made.body()
+    edge = boundary(made.cloud, made.cells)
+    outer = made.cells.sides[:, 1] < 0
+    lengths = np.zeros(len(made.positions))
+    np.add.at(lengths, made.cells.sides[outer, 0], np.linalg.norm(made.cells.areas[outer], axis=1))
+    assert abs(lengths.sum() - 4) <= 1e-14
+    moduli = b.law.moduli
+    expected = factor * 2 * (moduli.lame + moduli.shear) * (lengths / made.cells.measures)[edge.cells]
+    found = nitsche(b, edge, np.zeros_like(edge.points), factor=factor).penalties
+    np.testing.assert_allclose(found, expected, rtol=1e-13, atol=0)

@@ -166,12 +166,17 @@ def test_the_work_of_a_step_is_stress_times_the_logarithm_of_its_stretch(block, 
 
 
 def test_velocities_in_an_account_are_those_of_its_time(block):
-    """At the first step the given ones, later the mean of half a step before and after: momentum is sum m v of these."""
+    """At the first step the given ones, later the mean of half a step before and after: momentum is sum m v of these.
+
+    F becomes H F, in that order.
+    """
     made = block(side=SIDE)
     m = matter(made, "dni", "none")
     v = 0.3 * np.sin(3 * made.positions[:, ::-1])
-    start = still(made, m, v)
+    stress = np.array([[0.2, 0.05, 0], [0.05, -0.1, 0], [0, 0, 0.1]])
+    start = replace(still(made, m, v), state=m.law.start(len(v), 2, stress))
     now = forces(m, start)
+    assert abs(now.acceleration()).max() > 0.1
     one, entry = step(m, start, 0.01, first=True)
     assert abs(entry.momentum - now.mass @ v).max() <= 1e-15
     assert abs(one.v - v - 0.005 * now.acceleration()).max() <= 1e-15
@@ -181,3 +186,6 @@ def test_velocities_in_an_account_are_those_of_its_time(block):
     assert abs(two.v - one.v - 0.01 * later.acceleration()).max() <= 1e-15
     assert entry.time == 0.01
     assert entry.stored == one.worked
+    H = np.eye(2) + operator_now(m, one).apply(0.01 * two.v)
+    assert abs(two.state.F - H @ one.state.F).max() <= 1e-15
+    assert abs(two.state.F - one.state.F @ H).max() > 1e-6
