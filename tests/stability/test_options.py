@@ -40,6 +40,22 @@ def test_motions_are_the_roots_of_the_relation() -> None:
     assert sorted(omega.real for omega in found[0]) == pytest.approx([-sqrt(1.5), sqrt(1.5)], rel=1e-9)
 
 
+def test_the_stress_that_is_carried_along_is_no_motion() -> None:
+    """On a base that stretches the relation has a third root, omega = -i Q: the smallest, and not one of the two."""
+    Q = 0.1
+    found = motions(
+        Setting("semi-lagrangian", "scni", "3/2", "1/2", velocity_gradient="1/10", layer="as-defined"), [pi / 2, 2.0]
+    )
+    assert [len(pair) for pair in found] == [2, 2]
+    assert min(abs(omega) for pair in found for omega in pair) > 10 * Q
+
+
+def test_growth_is_that_of_the_sign_that_grows_and_distances_are_shares() -> None:
+    """e^{i omega t} grows where Im omega is negative; a distance is told over the largest frequency of the default."""
+    found = compared([[4, -4], [2, -2]], [[4 + 0.5j, -4], [2, -2 - 0.25j]])
+    assert found == {"growth": 0.25, "away": 0.5 / 4}
+
+
 def test_rows_are_those_of_their_waves() -> None:
     """Growth and distance at kh = pi/3, 2 pi/3, pi by the undamped relation: DNI in tension grows, by how much depends on the option."""
     settings = [

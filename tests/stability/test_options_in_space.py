@@ -8,6 +8,7 @@ from rkverify.stability.bloch.lattices import lattice
 from rkverify.stability.bloch.linearised import linearised
 from rkverify.stability.bloch.loading import Loading
 from rkverify.stability.bloch.scheme import DEFAULT_RULES, Scheme
+from rkverify.stability.bloch.zones import commensurate, worst
 from rkverify.stability.options_in_space import RULES, frequencies, option_rows_in_space, variants
 
 TENSION = {"tension": (0.3, 0.0, 0.0)}
@@ -38,3 +39,20 @@ def test_waves_along_an_axis_do_not_see_the_edge_rule_of_a_tensor_window() -> No
     # Longitudinal waves; 1e-9: the root of an omega^2 that two ways of adding the same terms give to some 1e-15.
     assert found("tensor", "trapezoid") == pytest.approx(found("tensor", "gauss:4"), rel=1e-9)
     assert found("radial", "trapezoid") != pytest.approx(found("radial", "gauss:4"), rel=1e-3)
+
+
+def test_rows_have_the_growth_of_the_worst_wave_of_their_own_scheme() -> None:
+    """Each row by its integration, option, support and stress: a scheme taken for another would grow otherwise."""
+    states = {"tension": (0.3, 0.0, 0.0), "compression": (-1.5, 0.0, 0.0)}
+    nodes = lattice("square")
+    k = commensurate(nodes, 4)
+    seen = set()
+    for row in option_rows_in_space(["1.4", "1.7"], states, 4):
+        if row["choice"] != "window":
+            continue
+        scheme = Scheme(row["integration"], float(row["support_ratio"]), window=row["option"])
+        growth = worst(linearised(nodes, scheme), Loading(states[row["state"]]), k).growth
+        assert abs(row["growth"] - growth) <= 1e-9
+        seen.add(round(growth, 6))
+    assert min(seen) == 0
+    assert len(seen) > 12  # of 24 rows
