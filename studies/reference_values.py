@@ -21,6 +21,7 @@ COLUMNS = (
     ("reading", "", "reading, layer or edge rule"),
     ("routes", "", "independent routes that agree to these digits"),
     ("inputs_sha256", "", "SHA-256 of the canonical JSON of the inputs"),
+    ("adler32", "", "Adler-32 of the line before its last comma, eight hexadecimal digits"),
 )
 
 

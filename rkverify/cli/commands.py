@@ -132,9 +132,9 @@ COMMANDS = (
         "reference",
         "reference values with certified digits",
         "Numbers against which a code can be checked: kernels, shape functions and derivatives, material rates, smoothed\n"
-        "gradients, masses and forces, dispersion; 30 digits, right to one unit of the last. With --json the exact inputs\n"
-        "come as well. Without a family: the families and how many values they have (15 s). docs/reference_values.md has\n"
-        "the format.",
+        "gradients, masses and forces, dispersion, waves in the plane; 30 digits, right to one unit of the last. With --json\n"
+        "the exact inputs come as well. Without a family: the families and how many values they have (20 s).\n"
+        "docs/reference_values.md has the format.",
         "  rkverify reference shape --json --out shape.json",
         options.reference,
         _later("reference", "reference"),

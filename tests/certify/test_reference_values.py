@@ -22,6 +22,8 @@ from rkverify.certify.reference.catalogue import FAMILIES, Case, family
 from rkverify.certify.reference.writing import COLUMNS, document, rows
 from rkverify.errors import Undecided, UnknownName
 from rkverify.kernels import KERNELS, Kernel, Term, TruncatedPowers
+from rkverify.stability.bloch.loading import Loading
+from rkverify.stability.bloch.scheme import Scheme
 
 ROOT = Path(__file__).resolve().parents[2]
 SUBJECTS = {subject.name: subject for make in FAMILIES.values() for subject in make()}
@@ -30,7 +32,13 @@ SAMPLE = (
     "line, own supports, order 2", "plane, order 1", "rates in the plane", "smoothed gradients of a pentagon, gauss:3",
     "smoothed gradients of a box, trapezoid", "plate, scni", "(63), R = 5/2",
     "printed, dni (diffuse), R = 7/4, sigma/C = 1/2, Q = 1", "consistent, scni (edge), R = 7/4, sigma/C = 1/4, Q = 1/2",
+    "kernel quintic", "bar, scni", "square lattice, snni, midpoint; measure edges, cubic, R = 7/4, truesdell",
+    "square lattice, scni, trapezoid, quintic, R = 7/4, jaumann",
 )  # fmt: skip
+
+
+def test_the_sample_has_a_case_of_every_family():
+    assert {family for family, make in FAMILIES.items() if {s.name for s in make()} & set(SAMPLE)} == set(FAMILIES)
 
 
 @cache
@@ -67,7 +75,7 @@ def test_double_precision_is_within_the_computed_bound(name):
     assert len(found) == sum(len(c.values) for c in family(name))
 
 
-@pytest.mark.parametrize("name", [n for n in SAMPLE if n.startswith(("line", "plane", "consistent"))])
+@pytest.mark.parametrize("name", [n for n in SAMPLE if n.startswith(("line", "plane", "consistent", "square"))])
 def test_shape_functions_and_symbols_in_doubles(name):
     found = distances([case(name)])
     assert found
@@ -92,7 +100,7 @@ def test_files_are_the_same_in_another_process():
 
 def test_the_second_route_shares_nothing_with_the_first():
     """Its modules load neither the transcription, nor the vectorised code, nor the kernels' data."""
-    names = ("by_definition", "cells_by_definition", "waves_by_definition")
+    names = ("by_definition", "cells_by_definition", "waves_by_definition", "lattice_by_definition")
     code = (
         "; ".join(f"import rkverify.certify.reference.{name}" for name in names) + "; import sys; print(*sys.modules)"
     )
@@ -222,7 +230,8 @@ def _shifted_stencil(monkeypatch):
 
 
 PLANE, DIRECT = "plane, order 1", "direct gradients in 2-D, full"
-PENTAGON, WAVE = "smoothed gradients of a pentagon, trapezoid", SAMPLE[-1]
+PENTAGON, WAVE = "smoothed gradients of a pentagon, trapezoid", SAMPLE[8]
+SQUARES, SIDES = SAMPLE[-2:]
 
 
 def _diffuse(shape):
@@ -245,6 +254,9 @@ FAULTS = {
     "a neighbour missed": (_cloud(_one_neighbour_missed), DIRECT),
     "stale cells": (_cells(lambda cells: replace(cells, vertices=cells.vertices - 2.0**-20)), PENTAGON),
     "a shifted stencil": (_shifted_stencil, WAVE),
+    "the corotation of another law": (_put("Loading", lambda stress, moduli, law: Loading(stress, moduli, "truesdell")), SIDES),
+    "the measure of a cell that does not move": (_put("Scheme", lambda *a: Scheme(*a[:4], "fixed", *a[5:])), SQUARES),
+    "the midpoint of a side for its ends": (_put("Scheme", lambda *a: Scheme(*a[:2], "midpoint", *a[3:])), SIDES),
     "the radial window for the tensor one": (_cloud(lambda nodes: replace(nodes, window="radial")), "plane, tensor window, order 1"),
     "a support off by the rounding of single precision": (_cloud(lambda nodes: replace(nodes, supports=nodes.supports * (1 + 2.0**-25))), DIRECT),
 }  # fmt: skip

@@ -14,10 +14,12 @@ from pathlib import Path
 import pytest
 
 from rkverify.certify.reference.case import canonical
+from rkverify.certify.reference.catalogue import FAMILIES as ALL
 from rkverify.certify.reference.catalogue import family
 from rkverify.certify.reference.writing import COLUMNS, document, rows
 
-READERS = Path(__file__).resolve().parents[2] / "readers"
+ROOT = Path(__file__).resolve().parents[2]
+READERS, COMMITTED = ROOT / "readers", ROOT / "reports" / "results" / "reference_values"
 FAMILIES = ("kernels", "rates")
 COMPILER, OCTAVE = (next(filter(None, map(shutil.which, names)), None) for names in (("cc", "gcc"), ("octave-cli", "octave")))  # fmt: skip
 LANGUAGES = [
@@ -96,6 +98,22 @@ def test_json_gives_the_same_as_csv(name, read):
     assert parsed(read("python", document(name, family(name)), "json")) == expected(name)
 
 
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_reader_reads_every_committed_file(language, command):
+    """What a user finds in the checkout, all of it, in every language."""
+    found = {}
+    for file in sorted(COMMITTED.glob("*.csv")):
+        header, *lines = file.read_text(encoding="ascii").splitlines()
+        if header != ",".join(COLUMNS):
+            continue
+        done = subprocess.run([*command(language), str(file)], capture_output=True, text=True, check=False)
+        rows = [line.split(",") for line in lines]
+        assert parsed(done) == [(row[1], row[2], float(Fraction(row[3]))) for row in rows]
+        found[file.stem] = len(rows)
+    assert set(found) == set(ALL)
+    assert min(found.values()) > 50
+
+
 def _value(text):
     def damage(table):
         lines = table.splitlines()
@@ -118,6 +136,13 @@ DAMAGES = {
     "letters after the number": (_value("1.5x"), "no finite number"),
     "no number": (_value(""), "no finite number"),
     "a cell too many": (_value("1,5"), "row"),
+    "a digit changed": (_value("1.5"), "wrong checksum"),
+    "a wrong hash": (lambda table: table[:-20] + ("0" if table[-20] != "0" else "1") + table[-19:], "wrong checksum"),
+    "a wrong checksum": (lambda table: table[:-3] + ("0" if table[-3] != "0" else "1") + table[-2:], "wrong checksum"),
+    "a checksum that is none": (lambda table: table[:-3] + "xy\n", "wrong checksum"),
+    "two rows exchanged": (lambda table: "".join(table.splitlines(keepends=True)[k] for k in (0, 2, 1)), "row"),
+    "bytes that are no text": (lambda table: table.encode()[:200] + b"\xff\x00" + table.encode()[200:], ""),
+    "a line without end": (lambda table: table + "9" * 10_000, ""),
     "nothing": (lambda table: "", ""),
     "only the header": (lambda table: table.splitlines()[0] + "\n", ""),
 }  # fmt: skip

@@ -7,6 +7,7 @@ from functools import cache
 from rkverify.certify.certified import Certified
 from rkverify.certify.reference import (
     bar_values,
+    bloch_values,
     dispersion_values,
     equation_values,
     gradient_values,
@@ -24,6 +25,7 @@ FAMILIES: dict[str, Callable[[], Sequence[Subject]]] = {
     "gradients": gradient_values.subjects,
     "equations": lambda: [*bar_values.subjects(), *equation_values.subjects()],
     "dispersion": dispersion_values.subjects,
+    "bloch": bloch_values.subjects,
 }
 
 

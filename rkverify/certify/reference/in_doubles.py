@@ -27,6 +27,11 @@ from rkverify.solid.neighbours import neighbours
 from rkverify.solid.rates import psi_star, true_rate
 from rkverify.solid.shape import shape
 from rkverify.stability import jacobian_solid
+from rkverify.stability.bloch.lattices import lattice
+from rkverify.stability.bloch.linearised import linearised
+from rkverify.stability.bloch.loading import Loading
+from rkverify.stability.bloch.scheme import Scheme
+from rkverify.stability.bloch.symbol import modes, stiffness
 from rkverify.stability.lattice_state import Base
 
 AXES = "xyz"
@@ -37,6 +42,8 @@ def doubles(given: Inputs, wanted: Mapping[str, Any]) -> Numbers:
     """quantity -> value for those wanted that `solid/` has; which family a case is of follows from its inputs."""
     if "z" in given:
         found = _kernel(given)
+    elif "wave_vectors" in given:
+        found = _bloch(given)
     elif "kh" in given:
         found = _wave(given) if "layer" in given else {}
     elif "velocity" in given:
@@ -191,3 +198,18 @@ def _wave(given: Inputs) -> Numbers:
             part = sum(c * np.exp(1j * n * kh) for n, c in stencil[row, column].items())
             found[f"symbol_re[{i}][{j}]"], found[f"symbol_im[{i}][{j}]"] = float(part.real), float(part.imag)
     return found
+
+
+def _bloch(given: Inputs) -> Numbers:
+    direct = given["integration"] == "dni"
+    scheme = Scheme(
+        given["integration"], float(rational(given["support"])), None if direct else given["rule"], given["derivative"],
+        given["cell_measure"], given["kernel"], given["order"], given["window"],
+    )  # fmt: skip
+    xx, yy, xy = floats(given["stress"])
+    moduli = Moduli(float(rational(given["lame"])), float(rational(given["shear"])))
+    plane, loading = linearised(lattice(given["lattice"]), scheme), Loading((xx, yy, xy), moduli, given["law"])
+    k = np.array(floats(given["wave_vectors"]))
+    K, omega2 = stiffness(plane, loading, k)[:, 0, :, 0, :].real, modes(plane, loading, k).omega_squared.real
+    found = {f"stiffness[{w}][{i}][{j}]": float(K[w, i, j]) for w in range(len(k)) for i in range(2) for j in range(2)}
+    return found | {f"omega2[{w}][{n}]": float(value) for w, row in enumerate(omega2) for n, value in enumerate(row)}
