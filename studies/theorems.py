@@ -54,12 +54,13 @@ def compute(p: Parameters) -> Tables:
         "open_ends": table(
             [vars(end) for end in OPEN_ENDS],
             [
-                ("claim", "", "entry of the ledger"),
-                ("layer", "", ""),
+                ("entry", "", "of the ledger"),
+                ("layer", "", "none where the entry knows no layers"),
                 ("what", "", "what is only sampled"),
                 ("why", "", "why it is neither proved nor refuted by exact means"),
+                ("part", "", "the half of the verdict that is only sampled; empty for all of it"),
             ],
-            "Sign and stability claims that are only sampled, and why.",
+            "What is only sampled, and why.",
             Exact(),
         ),
     }

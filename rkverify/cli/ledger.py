@@ -3,9 +3,11 @@
 import json
 import textwrap
 from argparse import Namespace
+from typing import Any
 
-from rkverify.ledger.entries import entries, entry
+from rkverify.ledger.entries import Entry, entries, entry
 from rkverify.ledger.entries import transcriptions as transcribed
+from rkverify.ledger.grades import GRADES, best, grades, in_full, in_words
 from rkverify.ledger.states import State, as_data, counts, state, states
 from rkverify.ledger.states import read_evidence as evidence
 from rkverify.paths import checkout
@@ -18,25 +20,34 @@ def ledger(options: Namespace) -> int:
         chosen = entry(options.entry)
         found = state(chosen, evidence(place.results))
         print(
-            json.dumps(as_data(chosen, found), indent=1, ensure_ascii=False) if options.json else _one(chosen.id, found)
+            json.dumps(_data(chosen, found), indent=1, ensure_ascii=False) if options.json else _one(chosen.id, found)
         )
         return 0
     everything = states(place.results)
     if options.json:
         data = {
             "counts": counts(everything),
-            "entries": [as_data(e, everything[name]) for name, e in entries().items()],
+            "entries": [_data(e, everything[name]) for name, e in entries().items()],
         }
         print(json.dumps(data, indent=1, ensure_ascii=False))
         return 0
     for name, found in everything.items():
         detail = f"  [{found.detail}]" if found.detail else ""
-        print(f"{name:4} {found.name:22} {textwrap.shorten(entries()[name].statement + detail, 150)}")
+        text = textwrap.shorten(entries()[name].statement + detail, 150)
+        print(f"{name:4} {found.name:22} {best(found):25} {text}")
     print()
     for word, count in counts(everything).items():
         print(f"{count:4} {word}")
     print(f"{len(everything):4} entries")
+    print("\nBest grade of evidence, in any layer:")
+    for grade in GRADES:
+        print(f"{sum(best(found) == grade for found in everything.values()):4} {grade}")
     return 0
+
+
+def _data(chosen: Entry, found: State) -> dict[str, Any]:
+    """An entry with its state and the grades of its evidence."""
+    return as_data(chosen, found) | {"grade": best(found), "grades": [vars(g) for g in grades(found)]}
 
 
 def _one(name: str, found: State) -> str:
@@ -44,6 +55,9 @@ def _one(name: str, found: State) -> str:
     lines = [f"{name}  {found.name}  ({chosen.place})", *textwrap.wrap(chosen.statement, 100)]
     if found.detail:
         lines += ["", *textwrap.wrap(found.detail, 100)]
+    for layer in found.layers or ("",):
+        if words := in_words(g for g in grades(found) if g.layer == layer):
+            lines += textwrap.wrap(f"Evidence{f', {layer}' if layer else ''}: {words}", 100)
     lines += ["", *textwrap.wrap(f"Decided by: {chosen.decided_by}", 100)]
     if name.startswith("E"):
         lines += [f"Transcribed in: {where}" for where in transcribed().get(int(name[1:]), [])]
@@ -53,7 +67,7 @@ def _one(name: str, found: State) -> str:
         where = ", ".join(filter(None, [s.layer, s.reading]))
         lines += ["", f"{mark}: study {s.study}, {s.name}" + (f" ({where})" if where else "")]
         lines += textwrap.wrap(s.says, 96, initial_indent="    ", subsequent_indent="    ")
-        lines += textwrap.wrap(f"tried: {s.tried}; {s.evidence}", 96, initial_indent="    ", subsequent_indent="    ")
+        lines += textwrap.wrap(f"tried: {s.tried}; {in_full(s)}", 96, initial_indent="    ", subsequent_indent="    ")
         if s.margin is not None:
             lines.append(f"    margin: {s.margin:.4g} ({s.margin_means})")
     if not found.evidence:

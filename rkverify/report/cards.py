@@ -1,13 +1,13 @@
 """What the pages Equations, Figures and Claims show of each entry: state, evidence layer by layer, code, checks, data."""
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
 from rkverify.ledger.entries import Entry, transcriptions
-from rkverify.ledger.states import DEFINITION, FAILS, HOLDS, OPEN, READING, UNDECIDABLE, Evidence, State
+from rkverify.ledger.grades import best, grades, in_words, rank
+from rkverify.ledger.states import DEFINITION, FAILS, HOLDS, OPEN, READING, UNDECIDABLE, State
 from rkverify.paths import Checkout
-from rkverify.report.content import CSS, GRADES, Site, StudyPage, state_css, statement
+from rkverify.report.content import CSS, Site, StudyPage, state_css, statement
 from rkverify.report.formulas import formulas, notes
 from rkverify.report.links import Link, module_link, test_link
 from rkverify.workflow.study import LAYERS
@@ -18,19 +18,20 @@ FIRST = 3
 
 @dataclass(frozen=True)
 class Group:
-    """The statements on an entry in one layer ("" for an entry that knows none), those that decide it first."""
+    """The statements on an entry in one layer ("" for an entry that knows none), those that decide it first; grade: of the verdict, in words."""
 
     layer: str
     word: str
     css: str
     detail: str
+    grade: str
     first: list[dict[str, Any]]
     more: list[dict[str, Any]]
 
 
 @dataclass(frozen=True)
 class Card:
-    """An entry as its page shows it."""
+    """An entry as its page shows it; grade: the best in any layer, whole: in words, where the verdict knows no layers."""
 
     id: str
     number: int
@@ -42,6 +43,7 @@ class Card:
     css: str
     detail: str
     grade: str
+    whole: str
     margin: str
     margin_means: str
     groups: list[Group]
@@ -51,6 +53,15 @@ class Card:
     formula: Any = None
     scan: str = ""
     reading: str = ""
+
+    @property
+    def evidence(self) -> str:
+        """The grades in words, layer by layer; empty while nothing decides."""
+        told: dict[str, list[str]] = {}
+        for group in self.groups:
+            if group.grade:
+                told.setdefault(group.grade, []).append(group.layer)
+        return self.whole or "; ".join(f"{', '.join(names)}: {grade}" for grade, names in told.items())
 
     @property
     def layers(self) -> dict[str, Group]:
@@ -69,12 +80,6 @@ class Card:
         return [(", ".join(names), word, state_css(word), readings) for (word, readings), names in found.items()]
 
 
-def strongest(evidence: Iterable[Evidence]) -> str:
-    """The strongest grade among the statements; empty where there is none."""
-    found = {e.evidence for e in evidence}
-    return next((grade for grade in GRADES if grade in found), "")
-
-
 def card(place: Checkout, site: Site, entry: Entry, found: State) -> Card:
     """The card of one entry."""
     number = int(entry.id[1:])
@@ -91,7 +96,8 @@ def card(place: Checkout, site: Site, entry: Entry, found: State) -> Card:
         state=found.name,
         css=CSS[found.name],
         detail="" if found.layers else found.detail,
-        grade=strongest(deciding),
+        grade=best(found),
+        whole=in_words(g for g in grades(found) if not g.layer),
         margin="" if tightest is None else str(statement(tightest)["margin"]),
         margin_means="" if tightest is None else tightest.margin_means,
         groups=_groups(entry, found),
@@ -111,14 +117,15 @@ def card(place: Checkout, site: Site, entry: Entry, found: State) -> Card:
 def _groups(entry: Entry, found: State) -> list[Group]:
     needed = [*entry.layers, *({e.layer for e in found.evidence} - set(entry.layers))]
     order = {layer: place for place, layer in enumerate(("", *LAYERS))}
-    groups = []
+    groups, graded = [], grades(found)
     for layer in sorted(needed, key=lambda name: order[name]):
         here = [e for e in found.evidence if e.layer == layer]
         word, _, detail = found.layers.get(layer, "" if layer else found.name).partition(" (")
         # What turns a verdict comes first, and of it the strongest evidence.
-        here.sort(key=lambda e: (e.holds is True if word != HOLDS else e.holds is not True, GRADES.index(e.evidence)))
+        here.sort(key=lambda e: (e.holds is True if word != HOLDS else e.holds is not True, rank(e)))
         said = [statement(e) for e in here]
-        groups.append(Group(layer, word, state_css(word), detail.removesuffix(")"), said[:FIRST], said[FIRST:]))
+        grade = in_words(g for g in graded if g.layer == layer)
+        groups.append(Group(layer, word, state_css(word), detail.removesuffix(")"), grade, said[:FIRST], said[FIRST:]))
     return groups
 
 

@@ -7,6 +7,7 @@ from typing import Any
 
 from rkverify.errors import BadInput
 from rkverify.ledger.entries import Entry, entries
+from rkverify.ledger.grades import in_full
 from rkverify.ledger.states import FAILS, HOLDS, STATES, Evidence, State, counts, read_evidence, state
 from rkverify.paths import Checkout
 from rkverify.report.formulas import formulas
@@ -18,8 +19,6 @@ from rkverify.workflow.produce import DESCRIPTION, STATEMENTS
 CSS = dict(zip(STATES, ("holds", "reading", "fails", "mixed", "definition", "undecidable", "open"), strict=True))
 PARTS = {"E": "equations", "F": "figures", "C": "claims"}
 """The first letter of an entry and the page that shows it."""
-GRADES = ("proved", "enclosed", "exact", "sampled")
-"""Grades of evidence, the strongest first."""
 SHOWN = (
     "studies.",
     "rkverify.paper.",
@@ -38,6 +37,11 @@ def state_css(word: str) -> str:
 def entry_href(id: str) -> str:
     """Where an entry is shown."""
     return f"{PARTS[id[0]]}.html#{id}"
+
+
+def last_numbers() -> dict[str, int]:
+    """Page of entries -> the number of its last entry."""
+    return {page: sum(id.startswith(letter) for id in entries()) for letter, page in PARTS.items()}
 
 
 @dataclass(frozen=True)
@@ -60,7 +64,11 @@ class StudyPage:
 
 
 def _comparison(record: dict[str, Any]) -> str:
-    details = ", ".join(f"{key} {value}" for key, value in record.items() if key not in ("kind", "why"))
+    details = ", ".join(
+        f"{key} {value:.3g}" if isinstance(value, float) else f"{key} {value}"
+        for key, value in record.items()
+        if key not in ("kind", "why")
+    )
     return f"{record['kind']}{f' ({details})' if details else ''}{': ' + record['why'] if 'why' in record else ''}"
 
 
@@ -81,8 +89,7 @@ def statement(evidence: Evidence) -> dict[str, Any]:
         "where": ", ".join(filter(None, [evidence.layer, evidence.reading])),
         "says": evidence.says,
         "tried": evidence.tried,
-        "evidence": evidence.evidence,
-        "routes": evidence.routes,
+        "evidence": in_full(evidence),
         "margin": "" if evidence.margin is None else f"{evidence.margin + 0.0:.4g}",
         "margin_means": evidence.margin_means,
     }

@@ -5,15 +5,25 @@ from dataclasses import dataclass
 from typing import Any
 
 from rkverify.errors import BadInput
+from rkverify.ledger.grades import GRADES, best
 from rkverify.ledger.states import STATES
-from rkverify.report.cards import Card, strongest
-from rkverify.report.content import CSS, GRADES, Site
+from rkverify.report.cards import Card
+from rkverify.report.content import CSS, Site
 from rkverify.report.formulas import data
 from rkverify.report.sections import statements
 
 NONE = "no evidence yet"
 DIGITS = re.compile(r"\d+\.\d{8,}")
 """A number with more digits than a sentence on the front page needs; the statement itself keeps them."""
+
+
+def shortened(says: str) -> str:
+    """The sentence with its long numbers to six digits.
+
+    >>> shortened("turning at R = 1.576327153241754299888518284476")
+    'turning at R = 1.57633'
+    """
+    return DIGITS.sub(lambda m: f"{float(m[0]):.6g}", says)
 
 
 @dataclass(frozen=True)
@@ -40,8 +50,7 @@ def findings(site: Site, cards: dict[str, Card], quick: bool = False) -> list[Fi
             if not quick:
                 raise
             continue
-        says = DIGITS.sub(lambda m: f"{float(m[0]):.6g}", said["says"])
-        found.append(Finding(raw["subject"], cards[raw["about"]], {**said, "says": says}))
+        found.append(Finding(raw["subject"], cards[raw["about"]], {**said, "says": shortened(said["says"])}))
     return found
 
 
@@ -57,7 +66,7 @@ class Part:
 
 @dataclass(frozen=True)
 class Bar:
-    """A state and its entries by the strongest evidence there is for each."""
+    """A state and its entries by the strongest grade of evidence for each."""
 
     state: str
     css: str
@@ -69,7 +78,7 @@ def picture(site: Site) -> list[Bar]:
     """Bars of how many entries are in each state, split by the strongest grade of evidence."""
     bars = []
     for word in STATES:
-        graded = [strongest(s.evidence) or NONE for s in site.states.values() if s.name == word]
+        graded = [best(s) or NONE for s in site.states.values() if s.name == word]
         parts, start = [], 0
         for place, grade in enumerate((*GRADES, NONE)):
             if count := graded.count(grade):

@@ -6,13 +6,14 @@ import re
 import pytest
 
 from rkverify.ledger.entries import entries
+from rkverify.ledger.grades import GRADES
 from rkverify.ledger.states import STATES
 
 
 def test_the_ledger_lists_all_entries_and_counts_them(rkverify):
     done = rkverify("ledger")
     assert (done.status, done.err) == (0, "")
-    listing, _, table = done.out.partition("\n\n")
+    listing, table, graded = done.out.split("\n\n")
     assert [line.split()[0] for line in listing.splitlines()] == list(entries())
     counted = {word: int(count) for count, word in re.findall(r"^ *(\d+) (.+)$", table, re.MULTILINE)}
     assert counted.pop("entries") == 170
@@ -20,6 +21,9 @@ def test_the_ledger_lists_all_entries_and_counts_them(rkverify):
     assert sum(counted.values()) == 170
     for word, count in counted.items():
         assert sum(line[5:].startswith(f"{word} ") for line in listing.splitlines()) >= count
+    for count, grade in re.findall(r"^ *(\d+) (.+)$", graded, re.MULTILINE):
+        assert grade in GRADES
+        assert sum(line[28:].startswith(f"{grade} ") for line in listing.splitlines()) == int(count)
 
 
 def test_the_ledger_as_data(rkverify):
@@ -27,6 +31,7 @@ def test_the_ledger_as_data(rkverify):
     assert [e["id"] for e in data["entries"]] == list(entries())
     for word, count in data["counts"].items():
         assert sum(e["state"] == word for e in data["entries"]) == count
+    assert {e["grade"] for e in data["entries"]} <= {*GRADES, ""}
 
 
 @pytest.mark.parametrize("name", ["C43", "c43"])
