@@ -26,8 +26,10 @@ def new_study(options: Namespace) -> int:
     about = list(dict.fromkeys(entry(id).id for id in options.about))
     new, changed = _planned(place, options.name, about, options.page)
     _write(new, changed)
-    for path in (*new, *changed):
+    for path in new:
         print(f"wrote {place.shown(path)}")
+    for path in changed:
+        print(f"changed {place.shown(path)}")
     print(f"next: rkverify run {options.name}; pytest {place.shown(list(new)[1])}")
     if about:
         print(f"{', '.join(about)}: not decidable until a statement of the study says what it finds about them")

@@ -7,13 +7,14 @@ from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
+from rkverify.ledger.grades import GRADES
 from rkverify.paths import Checkout
-from rkverify.report import api, cards, choices, content, explorer, front, record, sections
+from rkverify.report import answers, api, cards, choices, content, explorer, front, grading, record, sections
 from rkverify.report.formulas import data, formulas
 from rkverify.workflow.files import write_atomically
 from rkverify.workflow.study import LAYERS
 
-ASSETS = ("style.css", "tables.js", "lattice.js", "explorer.js")
+ASSETS = ("style.css", "jump.js", "tables.js", "lattice.js", "explorer.js")
 OWN = {"index": "Overview", "equations": "Equations", "claims": "Claims", "readings": "Readings"}
 LAST = {"explorer": "Explorer", "api": "For your code", "reproduce": "Reproduce"}
 """Pages with a template of their own, before and after those on a subject."""
@@ -40,8 +41,10 @@ def pages(place: Checkout, site: content.Site) -> dict[str, dict[str, Any]]:
             "title": "Stability of Lagrangian and semi-Lagrangian RK discretisations, checked by computation",
             "lead": data("front.toml")["lead"],
             "bars": bars,
+            "grades": [*GRADES, front.NONE],
             "in_words": front.in_words(bars),
             "counts": content.count_rows(site),
+            "entries": {"Claims": claims, "Equations": equations, "Figures": [figure.card for figure in figures]},
             "findings": front.findings(site, every, sections.is_quick(place)),
             "undecided": cards.undecided(site),
         },
@@ -54,7 +57,8 @@ def pages(place: Checkout, site: content.Site) -> dict[str, dict[str, Any]]:
         },
         "explorer": {
             "title": "Explorer",
-            "data": explorer.data(),
+            "data": explorer.data(place),
+            "measured": explorer.measured(place),
             "options": explorer.options(),
             "relations": [
                 {"key": key, "number": number, "mathml": formulas()[number]}
@@ -85,6 +89,8 @@ def pages(place: Checkout, site: content.Site) -> dict[str, dict[str, Any]]:
             "words": words,
             "numbers": numbers,
             "controls": record.controls(place) if plan.get("controls") else [],
+            "meanings": grading.meanings(site) if plan.get("grades") else [],
+            "on_signs": grading.sign_claims(site, every) if plan.get("grades") else [],
         }
     for name, study in site.studies.items():
         found[name] = {
@@ -114,6 +120,10 @@ def build(place: Checkout) -> Path:
         menu=menu(),
         site=site,
         entry_href=content.entry_href,
+        answers=answers,
+        state_css=content.state_css,
+        glossary=data("words.toml"),
+        last=content.last_numbers(),
         foot=content.build_foot(place, datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC")),
         run_foot="",
         notebooks=(place.pages / "notebooks" / "index.html").is_file(),

@@ -84,7 +84,7 @@ def test_entries_are_found_and_sorted(opened: Opened, pages: Path) -> None:
         total = rows.count()
         page.get_by_label("State").select_option("fails")
         assert 0 < rows.count() < total
-        assert set(rows.locator("td:nth-child(3)").all_inner_texts()) == {"fails"}
+        assert set(rows.locator("td:nth-child(3) .state").all_inner_texts()) == {"fails"}
         assert page.locator("article.card:visible").count() == rows.count()
         page.get_by_label("State").select_option("")
         page.get_by_label("Find").fill("sign of Q")
@@ -98,6 +98,35 @@ def test_entries_are_found_and_sorted(opened: Opened, pages: Path) -> None:
         page.get_by_label("Find").fill("sign of Q")
         page.evaluate("location.hash = 'C1'")
         page.wait_for_function("!document.getElementById('C1').hidden")
+
+
+@pytest.mark.parametrize(
+    ("start", "written", "where"),
+    [
+        ("index", "C43", "claims.html#C43"),
+        ("index", " c 4 ", "claims.html#C4"),
+        ("turns", "(80)", "equations.html#E80"),
+        ("index", "eq. 59", "equations.html#E59"),
+        ("index", "Fig. 7", "figures.html#F7"),
+        ("claims", "49", "claims.html#C49"),
+        ("index", "49", ""),
+        ("index", "C76", ""),
+        ("index", "figure 0", ""),
+    ],
+)
+def test_a_number_leads_to_its_entry_from_every_page(
+    opened: Opened, pages: Path, start: str, written: str, where: str
+) -> None:
+    """A reader who comes with the paper in hand has a number, and nothing else."""
+    with opened() as page:
+        page.goto((pages / f"{start}.html").as_uri())
+        page.get_by_label("Go to").fill(written)
+        page.keyboard.press("Enter")
+        if where:
+            page.wait_for_url(f"**/{where}")
+            assert page.locator(f"#{where.partition('#')[2]} .answer").is_visible()
+        else:
+            assert "no such entry" in page.locator("form.jump output").inner_text()
 
 
 def test_the_keyboard_reaches_the_content(opened: Opened, pages: Path) -> None:

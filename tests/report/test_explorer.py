@@ -12,6 +12,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page
 
+from rkverify.paths import checkout
 from rkverify.readings import DERIVATIVES, HALF_POINTS
 from rkverify.report import explorer
 from rkverify.stability.layers import Setting, dispersion
@@ -133,3 +134,33 @@ def test_the_printed_relation_stands_beside(opened: Opened, pages: Path, choice:
         for name, value in choice.items():
             page.locator(f"select[name={name}]").select_option(value)
         assert page.get_by_text(shown).filter(visible=True).count() == 1
+
+
+def test_a_wave_that_was_measured_is_shown_beside_its_curve(opened: Opened, pages: Path) -> None:
+    """The layer simulated: every measured wave can be chosen, its ring lies on the curve of the linearised equations."""
+    waves = explorer.measured(checkout())
+    assert len(waves) > 30
+    with opened() as page:
+        page.goto((pages / "explorer.html").as_uri())
+        assert page.locator("#curve circle").count() == 1  # the page opens at a setting that was measured
+        assert page.locator("select[name=measured] option").count() == len(waves) + 1
+        for place in (0, len(waves) // 2, len(waves) - 1):
+            wave = waves[place]
+            page.locator("select[name=measured]").select_option(str(place))
+            assert page.locator("#curve circle").count() == 1
+            assert f"{wave['quantity']} {wave['value']:.4g}" in page.locator("#explorer-says").inner_text()
+            assert "--layer simulated" in page.locator("#simulated").inner_text()
+            set_ = {name: wave[name] for name in ("formulation", "integration", "derivative", "kernel", "R", "s")}
+            roots = page.evaluate(
+                "([set, kh]) => rkverify.dispersion(set, kh)",
+                [{**set_, "layer": "as-defined", "Q": 0, "stress_law": "truesdell", "convective": True}, [wave["kh"]]],
+            )[0]
+            computed = max(-im if wave["quantity"] == "growth" else abs(re) for re, im in roots)
+            # The study's own measure of agreement: one part in a thousand.
+            assert wave["value"] == pytest.approx(computed, rel=1e-3)
+        same = [
+            w for w in waves if all(w[n] == wave[n] for n in ("formulation", "integration", "derivative", "kernel"))
+        ]
+        assert page.locator("#map circle").count() == len(same)
+        page.locator("[name=s]").fill("0.123")
+        assert page.locator("#curve circle").count() == 0

@@ -130,8 +130,8 @@ def test_a_changed_statement_changes_its_verdict_and_sentence_and_nothing_else(
         shown = {path.stem: path.read_text(encoding="utf-8") for path in place.pages.glob("*.html")}
         texts.append({name: re.sub(r"Page built .*", "", text) for name, text in shown.items()})
     differ = {name for name in texts[0] if texts[0][name] != texts[1][name]}
-    # The overview counts states; "Stability" lists the verdicts by layer, and tolerances stand on "Reproduce".
-    assert differ <= {"claims", "index", "stability", "printed_consequences", "reproduce"}
+    # The overview counts states; "Stability" lists the verdicts by layer, "Certificates" those on signs; tolerances stand on "Reproduce".
+    assert differ <= {"claims", "index", "stability", "certificates", "printed_consequences", "reproduce"}
     assert {"claims", "index", "printed_consequences"} <= differ
     cards = [re.split(r'(?=<article class="card" id=")', text["claims"]) for text in texts]
     changed = [new[:40] for old, new in zip(*cards, strict=True) if old != new and new.startswith("<article")]

@@ -12,6 +12,11 @@
   const levels = (Q) => [1e-6, 3 * Math.abs(Q) + 1e-6, 3 * Math.abs(Q) + 0.5];
   const SHADES = ["#ffffff", "#f4d3b8", "#e08a4c", "#8a3a00"];
   const NUMBERS = ["R", "s", "Q"];
+  const MEASURED = JSON.parse(document.getElementById("explorer-data").textContent).measured;
+  // Waves that were measured at rest with what is chosen, whatever R and sigma/C are.
+  const measured = (set) => (set.Q !== 0 ? [] : MEASURED.filter((wave) =>
+    wave.formulation === set.formulation && wave.integration === set.integration && wave.kernel === set.kernel
+    && (wave.integration === "scni" || wave.derivative === set.derivative)));
 
   function setting() {
     const set = {};
@@ -32,7 +37,9 @@
     return out + text(box.x, box.y - 7, label);
   }
 
-  function panel(box, low, high, label, dots, dashes) {
+  const ring = (x, y, radius, fill) => `<circle cx="${x.toFixed(1)}" cy="${y.toFixed(1)}" r="${radius}" fill="${fill}" stroke="#000" stroke-width="2"/>`;
+
+  function panel(box, low, high, label, dots, dashes, rings) {
     if (high - low < 1e-9) { high += 0.5; low -= low < 0 ? 0.5 : 0; }
     const y = (value) => box.y + box.h - ((value - low) / (high - low)) * box.h;
     const x = (kh) => box.x + (kh / Math.PI) * box.w;
@@ -40,7 +47,8 @@
     const ticks = [...new Set([low, 0, high])].filter((value) => value >= low && value <= high).map((value) => [y(value), round(value)]);
     return frame(box, ticks, label)
       + `<path d="${path(dots)}" stroke="#6cb2e0" stroke-width="5" stroke-linecap="round" fill="none"/>`
-      + `<path d="${path(dashes)}" stroke="#000" stroke-width="2.5" stroke-linecap="round" fill="none"/>`;
+      + `<path d="${path(dashes)}" stroke="#000" stroke-width="2.5" stroke-linecap="round" fill="none"/>`
+      + rings.map((wave) => ring(x(wave.kh), y(wave.value), 7, "none")).join("");
   }
 
   function dotted(relation, s) {
@@ -58,12 +66,14 @@
     const own = rkverify.relation(set), printed = set.layer === "printed" ? null : rkverify.relation({ ...set, layer: "printed" });
     const dots = dotted(own, set.s), other = dotted(printed, set.s);
     const sparse = (list) => list.filter(([kh]) => Math.round((kh / Math.PI) * 200) % 8 < 4);
-    const tops = [...dots.frequency, ...other.frequency].map(([, value]) => value);
-    const sides = [...dots.growth, ...other.growth].map(([, value]) => value);
+    const here = measured(set).filter((wave) => Math.abs(wave.R - set.R) < 1e-9 && Math.abs(wave.s - set.s) < 1e-9);
+    const [frequencies, growths] = ["frequency", "growth"].map((quantity) => here.filter((wave) => wave.quantity === quantity));
+    const tops = [...dots.frequency, ...other.frequency].map(([, value]) => value).concat(frequencies.map((wave) => wave.value));
+    const sides = [...dots.growth, ...other.growth].map(([, value]) => value).concat(growths.map((wave) => wave.value));
     const box = { x: 70, w: 550, h: 160 };
     const high = Math.max(0.1, ...sides), low = Math.min(0, ...sides);
-    let out = panel({ ...box, y: 24 }, 0, Math.max(1e-3, ...tops), "frequency |Re ω| h/c", dots.frequency, sparse(other.frequency));
-    out += panel({ ...box, y: 222 }, low, high, "growth −Im ω h/c", dots.growth, sparse(other.growth));
+    let out = panel({ ...box, y: 24 }, 0, Math.max(1e-3, ...tops), "frequency |Re ω| h/c", dots.frequency, sparse(other.frequency), frequencies);
+    out += panel({ ...box, y: 222 }, low, high, "growth −Im ω h/c", dots.growth, sparse(other.growth), growths);
     for (const [n, words] of [[0, "0"], [0.25, "π/4"], [0.5, "π/2"], [0.75, "3π/4"], [1, "π"]]) out += text(70 + n * 550, 400, words, 'text-anchor="middle"');
     out += text(345, 416, "wave number times spacing kh", 'text-anchor="middle"');
     curve.innerHTML = out;
@@ -74,6 +84,7 @@
       : fastest[1] > levels(set.Q)[0]
         ? `${where}: the fastest growth is ${round(fastest[1])} c/h, at kh = ${round(fastest[0])}${fastest[1] > levels(set.Q)[1] ? "" : ", not faster than 3|Q|"}.`
         : `${where}: no wave grows.`;
+    for (const wave of here) document.getElementById("explorer-says").textContent += ` Measured at kh = ${round(wave.kh)}: ${wave.quantity} ${round(wave.value)} c/h.`;
     const shown = set.formulation === "lagrangian" ? `lagrangian-${set.integration}` : `semi-${set.integration}${set.convective ? "" : "-without"}`;
     let any = false;
     for (const each of root.querySelectorAll("[data-relation]")) {
@@ -82,6 +93,7 @@
     }
     document.getElementById("no-relation").hidden = any;
     document.getElementById("command").textContent = command(set);
+    document.getElementById("simulated").textContent = `${command({ ...set, layer: "simulated" })} --kh ${round(here.length ? here[0].kh : fastest[0] || 3)}`;
   }
 
   function command(set) {
@@ -119,6 +131,7 @@
     out += frame({ x: 70, y: 30, w: 550, h: 260 }, [-2, -1, 0, 1, 2].map((value) => [my(value), value]), "sigma/C");
     for (const ratio of [1.5, 2, 2.5, 3, 3.5, 4]) out += text(mx(ratio), 308, ratio, 'text-anchor="middle"');
     out += text(345, 308, "", "") + text(600, 22, "R = a/h →", 'text-anchor="end"');
+    for (const wave of measured(set)) out += ring(mx(wave.R), my(wave.s), 4, wave.quantity === "growth" ? "#000" : "#fff");
     out += `<path d="M${mx(R) - 9} ${my(s)}h18M${mx(R)} ${my(s) - 9}v18" stroke="#fff" stroke-width="6"/><path d="M${mx(R) - 9} ${my(s)}h18M${mx(R)} ${my(s) - 9}v18" stroke="#000" stroke-width="2.5"/>`;
     const words = ["no growth", "up to 3|Q|", "up to 3|Q| + 0.5", "faster"];
     words.forEach((each, n) => { out += `<rect x="${70 + n * 140}" y="318" width="16" height="14" fill="${SHADES[n]}" stroke="#555"/>` + text(92 + n * 140, 330, each); });
@@ -137,6 +150,14 @@
     form[`${name}-slide`].addEventListener("input", (event) => { form[name].value = event.target.value; });
     form[name].addEventListener("input", (event) => { form[`${name}-slide`].value = event.target.value; });
   }
+  form.measured?.addEventListener("input", () => {
+    const wave = MEASURED[form.measured.value];
+    if (!wave) return;
+    for (const name of ["formulation", "integration", "derivative", "kernel"]) form[name].value = wave[name];
+    for (const name of ["R", "s"]) { form[name].value = wave[name]; form[`${name}-slide`].value = wave[name]; }
+    form.Q.value = 0;
+    form["Q-slide"].value = 0;
+  });
   form.addEventListener("input", redraw);
   form.addEventListener("submit", (event) => event.preventDefault());
   map.addEventListener("click", (event) => {
