@@ -1,8 +1,9 @@
 """The moment matrix M(x) of (6), (11), (32), its rates, and b(x) = M^-1(x) H(0)."""
 
 from collections.abc import Callable
+from typing import Any
 
-from rkverify.arithmetic.base import Scalar
+from rkverify.arithmetic.base import Arithmetic, Scalar
 from rkverify.errors import SingularMomentMatrix, TooFewNodes
 from rkverify.paper.approximation import Approximation, Vector
 from rkverify.paper.basis import basis, basis_rate, basis_second_rate
@@ -77,11 +78,13 @@ def moment_second_rate(A: Approximation, x: Vector, u: Vector, w: Vector) -> Mat
 def solve(A: Approximation, x: Vector, M: Matrix, right: list[Scalar]) -> list[Scalar]:
     """M^-1 times a vector, by the factors L D L^T of the symmetric matrix M.
 
-    Raises SingularMomentMatrix where a pivot has nothing left of its diagonal entry but rounding. The ratio of
-    the two does not change with the unit of length, so that the test does not either.
+    Raises SingularMomentMatrix where a pivot is not above what rounding may have left of it. With row v of L^-1 pivot j is
+    v^T M v. Each entry of M is a sum over N nodes, and the factors are those of M + E with |E_ij| <= (N + m) epsilon
+    (M_ii M_jj)^(1/2): the pivot is off by |v^T E v| <= m (N + m) epsilon sum_i v_i^2 M_ii. Both change with the unit of
+    length alike. For M scaled to a unit diagonal sum_i v_i^2 M_ii <= D_j / lambda_min: a matrix whose scaled condition
+    number is below 1/(m (N + m) epsilon) passes, whatever its pivots are.
     """
     K, size = A.K, len(right)
-    # What rounding can leave of a pivot: each entry is a sum over the nodes, each elimination adds as much again.
     rounding = size * (len(A.neighbours(x)) + size) * K.epsilon
     L: Matrix = [[K.zero()] * size for _ in range(size)]
     D: list[Scalar] = []
@@ -89,8 +92,8 @@ def solve(A: Approximation, x: Vector, M: Matrix, right: list[Scalar]) -> list[S
         pivot = M[j][j]
         for k in range(j):
             pivot = pivot - L[j][k] * L[j][k] * D[k]
-        left = K.witness(pivot) / K.witness(M[j][j]) if K.witness(M[j][j]) != 0 else 0
-        if not (K.surely_positive(pivot) and left > rounding):
+        if not (K.surely_positive(pivot) and K.witness(pivot) > rounding * _uncertainty(K, L, M, j)):
+            left = K.witness(pivot) / K.witness(M[j][j]) if K.witness(M[j][j]) != 0 else 0
             raise SingularMomentMatrix(
                 f"the moment matrix at x = ({', '.join(map(K.text, x))}) is singular (pivot {j} keeps {float(left):.1e} of its "
                 f"diagonal entry) with {len(A.neighbours(x))} nodes in reach: enlarge the support, move nodes or lower the order"
@@ -110,6 +113,14 @@ def solve(A: Approximation, x: Vector, M: Matrix, right: list[Scalar]) -> list[S
         for k in range(i + 1, size):
             backward[i] = backward[i] - L[k][i] * backward[k]
     return backward
+
+
+def _uncertainty(K: Arithmetic, L: Matrix, M: Matrix, j: int) -> Any:
+    """sum_i v_i^2 M_ii with row j of L^-1, v_j = 1 and v_i = - sum_k v_k L_ki over i < k <= j, of witness values."""
+    v: dict[int, Any] = {j: 1}
+    for i in reversed(range(j)):
+        v[i] = -sum(v[k] * K.witness(L[k][i]) for k in range(i + 1, j + 1))
+    return sum(v[i] * v[i] * K.witness(M[i][i]) for i in range(j + 1))
 
 
 def times(M: Matrix, vector: list[Scalar]) -> list[Scalar]:

@@ -109,8 +109,7 @@ def _refuse(cloud: Cloud, x: Array, point: int, fault: int, number: int, left: f
         )
         raise TooFewNodes(f"{place} {what}; order {cloud.order} needs {m}: enlarge supports or add nodes there")
     where = _flatness(cloud, x[point])
-    # A diagonal entry is zero where all nodes have the point's own coordinate: nothing is kept of it.
-    kept = f"pivot {number} keeps {left if np.isfinite(left) else 0.0:.1e} of its diagonal entry"
+    kept = f"pivot {number} keeps {left:.1e} of its diagonal entry"
     advice = "add nodes beside it, or enlarge supports" if where else "enlarge supports, move nodes or lower the order"
     raise SingularMomentMatrix(f"the moment matrix of {place} is singular: {where or kept}: {advice}")
 

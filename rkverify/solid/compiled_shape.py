@@ -59,6 +59,7 @@ def moment_stage(d: int, n: int) -> Callable[..., tuple[int, int, int, float]]:
         total = carray(stack_memory(y, sums), sums)
         term = carray(stack_memory(y, sums), sums)
         M = carray(stack_memory(y, packed), packed)
+        v = carray(stack_memory(y, m), m)
         first_row, origin = np.uintp(first), np.uintp(starts[first])
         for p in range(first_row, np.uintp(last)):
             row, covering = p - first_row, 0
@@ -81,19 +82,16 @@ def moment_stage(d: int, n: int) -> Callable[..., tuple[int, int, int, float]]:
                 for c in range(packed):
                     factors[row, c] = M[c]
                 continue
-            # What rounding can leave of a pivot: each entry is a sum over the nodes, each elimination adds as much again,
-            # and an earlier pivot that kept little of its diagonal entry makes its share of this one that much less certain.
-            rounding = m * (np.intp(end - begin) + m) * 2.220446049250313e-16
-            least = 1.0
+            parts = 1.0
             for j in range(m):
                 jj = j * (j + 1) // 2
                 pivot = M[jj + j]
                 for k in range(j):
                     pivot -= M[jj + k] * M[jj + k] * term[k]
-                kept = pivot.real / M[jj + j].real
-                if not kept * least > rounding:
+                if not pivot.real > 0.0:
+                    kept = pivot.real / M[jj + j].real if M[jj + j].real > 0.0 else 0.0
                     return int(np.intp(p)), SINGULAR, j, kept
-                least = min(least, kept)
+                parts *= pivot.real / M[jj + j].real
                 term[j] = pivot
                 M[jj + j] = 1.0 / pivot
                 for i in range(j + 1, m):
@@ -102,6 +100,22 @@ def moment_stage(d: int, n: int) -> Callable[..., tuple[int, int, int, float]]:
                     for k in range(j):
                         entry -= M[ii + k] * M[jj + k] * term[k]
                     M[ii + j] = entry / pivot
+            # Pivot j is v^T M v with row v of L^-1. Each M_ij is off by (N + m) epsilon (M_ii M_jj)^(1/2) or less, and so the
+            # pivot by m (N + m) epsilon sum_i v_i^2 M_ii or less. Scaled to a unit diagonal M has the determinant `parts`, and
+            # no eigenvalue below parts/e: where that is above m (N + m) epsilon, all pivots are above what they are off by.
+            rounding = m * (np.intp(end - begin) + m) * 2.220446049250313e-16
+            if not parts > 2.72 * rounding:
+                for j in range(m):
+                    v[j] = 1.0
+                    uncertain = total[products[j, j]].real
+                    for back in range(j):
+                        i = j - 1 - back
+                        v[i] = 0.0
+                        for k in range(i + 1, j + 1):
+                            v[i] -= v[k] * M[k * (k + 1) // 2 + i]
+                        uncertain += v[i].real * v[i].real * total[products[i, i]].real
+                    if not term[j].real > rounding * uncertain:
+                        return int(np.intp(p)), SINGULAR, j, term[j].real / total[products[j, j]].real
             for c in range(packed):
                 factors[row, c] = M[c]
             for i in range(m):

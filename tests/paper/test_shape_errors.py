@@ -139,10 +139,12 @@ def test_the_matrix_itself_is_symmetric_and_positive() -> None:
 
 @pytest.mark.parametrize("count", [3, 20])
 def test_a_pivot_is_refused_where_rounding_of_its_sums_explains_it(count: int) -> None:
-    """2 (n + 2) epsilon of its diagonal entry: half of that is no pivot, twice that is one, with few nodes and with many."""
+    """Both entries of the pivot's difference are off by 2 (n + 2) epsilon: half of the sum is no pivot, twice it is one, with few
+    nodes and with many.
+    """
     F = Float()
     A = approximation([[k / count] for k in range(count)], 2, F)
-    share = 2 * (count + 2) * F.epsilon
+    share = 2 * 2 * (count + 2) * F.epsilon
     with pytest.raises(SingularMomentMatrix, match=f"pivot 1 .* with {count} nodes in reach"):
         solve(A, (0.5,), [[1.0, 1.0], [1.0, 1.0 + share / 2]], [1.0, 0.0])
     b = solve(A, (0.5,), [[1.0, 1.0], [1.0, 1.0 + 2 * share]], [1.0, 0.0])

@@ -8,17 +8,23 @@ import itertools
 from fractions import Fraction
 from typing import cast
 
+import mpmath
 import numpy as np
 import pytest
 
+from rkverify.arithmetic.multiprecision import Multiprecision
 from rkverify.arithmetic.native import Exact, Float
 from rkverify.certify.two_routes import reading_changes
+from rkverify.errors import SingularMomentMatrix
 from rkverify.kernels import KERNELS, kernel
 from rkverify.paper.approximation import approximation, lattice, middle
 from rkverify.paper.gradients import direct_gradient
+from rkverify.paper.moment import moment_matrix
 from rkverify.paper.shape import shape_functions, shape_gradient
 from rkverify.readings import DERIVATIVES, Derivative, Readings
+from rkverify.solid.cloud import cloud
 from rkverify.solid.line import line
+from rkverify.solid.shape import shape
 from rkverify.stability import jacobian_paper, jacobian_solid
 from rkverify.stability.lagrangian import StretchedBar, bar, mass_stencil, stencil, stencil_by_complex_step
 from rkverify.stability.lattice_state import Base
@@ -131,3 +137,80 @@ def test_shape_functions_and_gradients_on_uneven_nodes_agree(order: int) -> None
                 continue
             for J, slope in shape_gradient(A, (float(x),), 0, reading).items():
                 assert abs(near.gradient(reading)[p, J] - slope) <= 100 * TOLERANCE
+
+
+def _flat(width: float, d: int, seed: int, kind: str) -> tuple[np.ndarray, np.ndarray, float]:
+    """Nodes within a width of a line or plane through the point, or of a plane in which they are near a line, or of one place
+    beside the point; the point; the support.
+    """
+    rng = np.random.default_rng(seed)
+    if kind == "cluster":
+        place = rng.normal(size=d)
+        return place / np.linalg.norm(place) + width * rng.uniform(-1, 1, (3 * d, d)), np.zeros(d), 3.0
+    basis = rng.normal(size=(d - 1, d)) / 2
+    if kind == "needle":
+        basis[1] = basis[0] + 0.01 * basis[1]
+    nodes = rng.uniform(-1, 1, (4 * d, d - 1)) @ basis + width * rng.uniform(-1, 1, (4 * d, d))
+    return nodes, rng.uniform(-0.3, 0.3, d - 1) @ basis, 9.0
+
+
+def _condition_and_margin(nodes: np.ndarray, x: np.ndarray, support: float, terms: float) -> tuple[float, float]:
+    """Of the moment matrix in units in which its diagonal is 1, from 60 digits: its condition number, and the least of its pivots
+    over what rounding may leave of it, terms times |row of L^-1|^2.
+    """
+    K = Multiprecision(60)
+    A = approximation([[float(c) for c in p] for p in nodes], support, K)
+    M = moment_matrix(A, A.point(*map(float, x)))
+    with mpmath.workdps(60):
+        scaled = mpmath.matrix(
+            [[m / mpmath.sqrt(M[i][i] * M[j][j]) for j, m in enumerate(row)] for i, row in enumerate(M)]
+        )
+        sizes = mpmath.eigsy(scaled, eigvals_only=True)
+        L = mpmath.cholesky(scaled)
+        roots = [L[j, j] for j in range(len(M))]
+        V = mpmath.inverse(L)  # rows of L^-1 over the roots of the pivots
+        margins = [1 / (terms * sum(v * v for v in V[j, :])) for j in range(len(roots))]
+    return float(max(sizes) / min(sizes)), float(min(margins))
+
+
+@pytest.mark.parametrize(("d", "kind"), [(2, "flat"), (3, "flat"), (3, "needle"), (2, "cluster"), (3, "cluster")])
+def test_both_routes_refuse_the_same_matrices_and_none_that_doubles_resolve(d: int, kind: str) -> None:
+    """A pivot is refused below what rounding leaves of it: decides that the line is drawn by conditioning, and at one place.
+
+    Outside a factor of 2 about the bound, where a pivot's own rounding decides, both routes do as the exact pivots say. With m
+    functions and N nodes a condition number below 1/(2 m (N + m) epsilon) always passes, and Psi is then known to that product.
+    The twins: of nodes near a line in their plane the last pivot's rounding is that of an earlier one that kept little, and is no
+    answer; of the cluster of width 1e-4 the pivots together keep less than rounding leaves of one, and all is right with it.
+    """
+    decided = set()
+    for exponent, seed in itertools.product(np.arange(2, 10.5, 0.5), range(4)):
+        nodes, x, support = _flat(10.0**-exponent, d, seed, kind)
+        terms = (d + 1) * (len(nodes) + d + 1) * 2.0**-52
+        condition, margin = _condition_and_margin(nodes, x, support, terms)
+        A = approximation([[float(c) for c in p] for p in nodes], support, Float())
+        if 0.5 <= margin <= 2:
+            continue
+        decided.add(margin > 1)
+        if margin < 1:
+            assert condition > 1 / (2 * terms)
+            with pytest.raises(SingularMomentMatrix):
+                shape_functions(A, tuple(map(float, x)))
+            with pytest.raises(SingularMomentMatrix):
+                shape(cloud(nodes, support), x[None])
+            continue
+        high = Multiprecision(60)
+        exact = shape_functions(
+            approximation([[float(c) for c in p] for p in nodes], support, high), tuple(map(high.number, map(float, x)))
+        )
+        size = max(abs(float(v)) for v in exact.values())
+        one, other = shape_functions(A, tuple(map(float, x))), shape(cloud(nodes, support), x[None]).values
+        for values in (list(one.values()), other.tolist()):
+            off = max(abs(v - float(w)) for v, w in zip(values, exact.values(), strict=True))
+            assert off <= terms * condition * size
+    assert decided == {True, False}
+    if kind == "cluster":
+        nodes, x, support = _flat(1e-4, d, 0, kind)
+        M = moment_matrix(approximation([[float(c) for c in p] for p in nodes], support, Float()), tuple(map(float, x)))
+        kept = np.diag(np.linalg.cholesky(np.array(M))) ** 2 / np.diag(M)
+        assert kept[1:].min() ** 2 < (d + 1) * (len(nodes) + d + 1) * 2.0**-52
+        assert abs(shape(cloud(nodes, support), x[None]).values.sum() - 1) < 1e-3
