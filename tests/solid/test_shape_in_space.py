@@ -122,6 +122,17 @@ def test_every_derivative_is_the_complex_step(seed: int, d: int, order: int, ker
             assert abs(stepped.gradients.imag[:, k] / STEP - second).max() * a**2 < 1e-12 * cond
 
 
+@pytest.mark.parametrize("d", [1, 2, 3])
+def test_a_complex_step_of_all_nodes_is_one_of_the_points_backwards(d: int) -> None:
+    """With real points: Psi depends on x - x_I alone, and what the nodes move is not lost where the points are not complex."""
+    c, x = made(1, d, 1)
+    Psi = shape(c, x, 1)
+    for axis, along in enumerate(np.eye(d)):
+        stepped = shape(replace(c, positions=c.positions + 1j * STEP * along), x).values
+        allowed = 1e-13 * condition_numbers(c, x).max() / c.supports.min()
+        assert abs(stepped.imag / STEP + Psi.gradients[:, axis]).max() < allowed
+
+
 def test_the_complex_step_would_see_a_frozen_gradient() -> None:
     """The twin: the frozen readings are off by percents."""
     c, x = made(1, 2, 1)
@@ -401,6 +412,20 @@ def test_the_tent_has_no_gradient_at_its_kinks(x: float, window: Window) -> None
     assert abs(shape(c, at + 0.01 + 1j * STEP).values.imag / STEP - beside.gradients[:, 0]).max() < 1e-13
     with pytest.raises(NotDifferentiable):
         shape(c, at + 0.01, 2)
+
+
+@pytest.mark.parametrize("side", [-1, 1])
+def test_a_node_at_the_very_edge_of_its_support_counts_nothing(side: int) -> None:
+    """One double inside a support of 26.25 the scaled offset is rounded to 1, and the weight is that of the edge, not of the node."""
+    support = 26.25
+    others = np.array([[0.0, 0.0], [12.0, 5.0], [-6.0, 11.0], [4.0, -13.0]])
+    far = np.array([[side * np.nextafter(support, 0.0), 0.0]])
+    assert abs(far[0, 0]) * (1 / support) == 1.0
+    x = np.zeros((1, 2))
+    few, more = (shape(cloud(X, support), x, 1) for X in (others, np.concatenate([others, far])))
+    assert len(more.values) == 5
+    assert abs(more.values[:4] - few.values).max() < 1e-14
+    assert abs(more.values[4]) < 1e-14
 
 
 def test_a_kink_beyond_the_support_is_none() -> None:

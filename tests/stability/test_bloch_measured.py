@@ -18,7 +18,7 @@ from rkverify.stability.bloch.evidence import BOX, Case
 from rkverify.stability.bloch.lattices import jittered, lattice
 from rkverify.stability.bloch.linearised import linearised
 from rkverify.stability.bloch.loading import Loading
-from rkverify.stability.bloch.measured import box_of, measure, measure_fastest
+from rkverify.stability.bloch.measured import _roots, box_of, measure, measure_fastest
 from rkverify.stability.bloch.scheme import Scheme
 from rkverify.stability.bloch.surveys import Method, loading
 from rkverify.stability.bloch.symbol import modes, strain_waves
@@ -211,3 +211,28 @@ def test_states_and_methods_are_told_apart() -> None:
     assert loading("compression", 0.3).stress == (-0.3, 0.0, 0.0)
     assert len({Method("dni", reading).name for reading in DERIVATIVES}) == len(DERIVATIVES)
     assert Method("scni", rule="midpoint").name != Method("scni").name
+
+
+def test_an_amplitude_that_stays_zero_is_no_root() -> None:
+    """A wave along an axis leaves the other axis at rest exactly: its two roots are those of the one that moves."""
+    t = 0.1 * np.arange(25)
+    run = np.stack([np.cos(2 * t), 0 * t, -2 * np.sin(2 * t), 0 * t], axis=1)
+    with np.errstate(
+        divide="ignore", invalid="ignore"
+    ):  # of what is never there the propagator is zero, and its logarithm without end
+        omega = _roots([run], 0.1)
+    moving = omega[np.isfinite(omega)]
+    np.testing.assert_allclose(np.sort(moving.real), [-2, 2], rtol=0, atol=1e-10)
+    assert abs(moving.imag).max() < 1e-10
+
+
+def test_e_foldings_are_growth_times_time() -> None:
+    nodes, scheme = jittered(lattice("square"), 2, 0.2, 1), FULL.scheme("1.4")
+    _, seen = measure_fastest(nodes, scheme, Loading((0.1, 0, 0.3)), 1.5)
+    assert seen.foldings == seen.growth * 1.5
+    assert seen.growth > 0.1
+    case = Case("square", FULL, "1.4", "tension", (2, 2))
+    run = measure(lattice("square"), case.method.scheme("1.4"), loading("tension", 0.3), 2, (1, 1))
+    # 25 samples at most, every 0.3 of the wave's own time, to a hundredfold amplitude at most
+    assert 0.5 < run.foldings < np.log(220)
+    assert run.foldings / run.growth < 25

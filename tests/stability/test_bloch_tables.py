@@ -256,7 +256,7 @@ def test_a_lattice_is_the_same_whichever_copies_of_its_nodes_are_given() -> None
     """All nodes within the radius, by brute force, also where a node is named some periods away from the others."""
     periods = np.array([[1.0, 0.2], [-0.3, 1.1]])
     base = np.array([[0.1, 0.2], [0.5, 0.7]])
-    for shift in ([0, 0], [9, -4], [-3, 12]):
+    for shift in ([0, 0], [9, -4], [8, 4]):
         nodes = Lattice(periods, base + np.array([[0, 0], shift]) @ periods)
         for radius in (0.3, 2.5):
             patch = nodes.around(radius)

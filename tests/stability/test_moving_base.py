@@ -227,3 +227,9 @@ def test_a_start_is_the_mode_that_it_names(start: str) -> None:
         assert abs(part[0].max() - part[1]) < 1e-12
     assert abs(found[0] - found[20]) < 1e-12
     assert starting_amplitudes(base, 1.0, "velocity")[0].tolist() == [0, 1, 0]
+
+
+def test_the_shortest_wave_is_its_own_mirror_image() -> None:
+    """At kh = pi the wave and its conjugate are one: its amplitude is counted once, at any other kh half is at -kh."""
+    base = Base("3/2", Readings("dni", "none"), "1/2", "1/10")
+    assert wave_on_lattice(base, np.pi, "growing", 0.1).error < 1e-3

@@ -9,6 +9,7 @@ import pytest
 from rkverify.arithmetic.multiprecision import Multiprecision
 from rkverify.stability.at_rest import at_rest
 from rkverify.stability.layers import Setting, dispersion
+from rkverify.stability.simulate import fitting_wave
 from rkverify.stability.verdicts import (
     cutoff_force,
     largest_growth,
@@ -166,3 +167,15 @@ def test_the_late_frequency_is_that_of_its_wave() -> None:
     assert abs(row["measured"] - sqrt(relation.omega_squared(0.0, np.array([row["kh"]]))[0])) < 1e-5
     peak = sqrt(relation.omega_squared(0.0, np.array(waves(24))).max())
     assert abs(row["peak"] - peak) < 1e-9
+
+
+def test_the_wave_that_fits_is_the_nearest_on_the_shortest_chain() -> None:
+    """By brute force over all chains from the least to 96 nodes; of equally near ones that of fewer nodes."""
+    assert fitting_wave(pi, 7) == (8, 4)
+    assert fitting_wave(pi, 8) == (8, 4)
+    assert fitting_wave(2 * pi * 5 / 96, 10) == (96, 5)
+    for kh in (0.9 * pi, 7 * pi / 8, 1.0, 2 * pi * 5 / 97, 0.2):
+        count, waves = fitting_wave(kh, 11)
+        gaps = {(N, n): abs(2 * pi * n / N - kh) for N in range(11, 97) for n in range(1, N // 2 + 1)}
+        assert abs(gaps[count, waves] - min(gaps.values())) < 1e-11
+        assert count == min(N for (N, _), gap in gaps.items() if gap < min(gaps.values()) + 1e-12)
