@@ -16,7 +16,7 @@ import pytest
 
 from rkverify.cli import main
 from rkverify.errors import BadInput
-from rkverify.recheck import recheck
+from rkverify.recheck import RULES, recheck
 from rkverify.recheck.boxes import enclosed, zeros_inside
 from rkverify.recheck.reading import Rejected
 
@@ -58,8 +58,7 @@ def test_what_is_committed_is_verified(family):
 
 
 PIECE = ("proof", "pieces", 0)
-SPOILT = [
-    # a digit changed
+CHANGED = [
     ("kernel-cubic", (*PIECE, "polynomial", 2), -5, "not the cubic kernel"),
     ("kernel-quartic", ("claim", "curvature_zeros", 0, 0), "1/4", "claimed"),
     ("dni-at-pi-cubic-full", (*PIECE, "numerator", 3), 7, "not the function"),
@@ -76,7 +75,10 @@ SPOILT = [
     ("moment-matrix-2-functions-3-nodes", ("proof", "sum", 0, 0), 2, "the sum that is listed"),
     ("counterexample-45", ("proof", "polynomial", 0), 1, "not the polynomial"),
     ("counterexample-45", ("claim", "signs"), [-1, 1, 1], "the signs are"),
-    # a claim made wider
+    ("dni-form-cubic-full", ("proof", "pieces", 0, 1), "3/2", "nothing covers"),
+    ("scni-gradient-not-zero", (*PIECE, "surface", 0, 0), 7, "coefficients of c"),
+]
+WIDER = [
     ("kernel-cubic", ("claim", "continuity"), 3, "class C"),
     ("kernel-cubic", ("claim", "kernel"), "quartic", "joints"),
     ("dni-at-pi-cubic-full", ("claim", "to"), 5, "nothing covers"),
@@ -98,7 +100,7 @@ SPOILT = [
 ]
 
 
-@pytest.mark.parametrize(("name", "path", "wrong", "told"), SPOILT)
+@pytest.mark.parametrize(("name", "path", "wrong", "told"), [*CHANGED, *WIDER])
 def test_a_changed_digit_or_a_wider_claim_is_refused(name, path, wrong, told):
     spoilt = theorem(name)
     data, key = place(spoilt, path)
@@ -121,6 +123,9 @@ REMOVED = [
     ("printed-dni-compressed", ("proof", "parts", 2)),
     ("dni-long-waves-full", ("proof", "pieces", 1)),
     ("moment-matrix-2-functions-3-nodes", ("proof", "sum", 4)),
+    ("scni-gradient-not-zero", ("proof", "pieces", 1)),
+    ("room-for-growth-true-Q<0", (*PIECE, "denominator_boxes", 0)),
+    ("counterexample-45", ("proof", "boxes", 0)),
 ]
 
 
@@ -207,6 +212,77 @@ def numbers(data, path=()):
             yield from numbers(inner, (*path, key))
     elif isinstance(data, int) or (isinstance(data, str) and data.lstrip("-").replace("/", "").isdigit()):
         yield path
+
+
+def steps(data, path=()):
+    """The places of all items of lists in a theorem: boxes, pieces, parts, terms."""
+    if isinstance(data, dict | list):
+        for key, inner in data.items() if isinstance(data, dict) else enumerate(data):
+            if isinstance(data, list):
+                yield (*path, key)
+            yield from steps(inner, (*path, key))
+
+
+def smallest():
+    """Kind of claim -> the smallest committed theorem of that kind whose proof has a step."""
+    found = {}
+    for family in FAMILIES:
+        for t in json.loads(committed(family))["theorems"]:
+            kind, size = t["claim"]["kind"], len(json.dumps(t))
+            if list(steps(t["proof"])) and size < found.get(kind, (size + 1, None))[0]:
+                found[kind] = size, t
+    return {kind: t for kind, (_, t) in found.items()}
+
+
+SMALLEST = smallest()
+MOST = 16
+"""Damages of a proof that are tried, evenly over all of them: two kinds take a tenth of a second for each."""
+
+
+def test_every_kind_of_claim_is_damaged_in_every_way():
+    """A digit changed, a claim made wider, a step removed: a rule that none of the lists speaks of would go untested."""
+    assert set(SMALLEST) == set(RULES)
+    for damaged in (CHANGED, WIDER, REMOVED):
+        assert {theorem(name)["claim"]["kind"] for name, *_ in damaged} == set(RULES)
+
+
+@pytest.mark.parametrize("kind", RULES)
+def test_no_damage_passes_in_any_kind_of_log(kind):
+    """Numbers made others and steps left out, at all places of the claim and evenly over the proof; promised digits may be fewer."""
+    whole = SMALLEST[kind]
+    damages = []
+    for part in ("claim", "proof"):
+        places = [(False, (part, *path)) for path in numbers(whole[part])]
+        places += [(True, (part, *path)) for path in steps(whole[part])]
+        damages += places if part == "claim" else places[:: -(-len(places) // MOST)]
+    accepted, told = [], []
+    for removed, path in damages:
+        spoilt = copy.deepcopy(whole)
+        data, key = place(spoilt, path)
+        if removed:
+            del data[key]
+        else:
+            data[key] = data[key] - 1 if isinstance(data[key], int) else "7/3"
+        try:
+            recheck(signed([spoilt]))
+        except BadInput as refused:
+            told.append(str(refused))
+            continue
+        accepted.append(path)
+    assert len(told) > 4
+    assert not [line for line in told if "\n" in line or len(line) > 300]
+    assert [path for path in accepted if path != ("claim", "digits")] == []
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_a_digit_or_the_end_of_a_log_is_missed_by_its_hash(family):
+    """In the text itself, somewhere in the middle of the log."""
+    text = committed(family)
+    at = next(k for k in range(len(text) // 2, len(text)) if text[k].isdigit())
+    with pytest.raises(BadInput, match="wrong hash"):
+        recheck(text[:at] + str((int(text[at]) + 1) % 9 + 1) + text[at + 1 :])
+    with pytest.raises(BadInput, match="no complete JSON"):
+        recheck(text[: -len(text) // 3])
 
 
 @pytest.mark.parametrize(
@@ -312,3 +388,27 @@ def test_the_command_names_the_file_and_ends_with_1(tmp_path, capsys):
     told = capsys.readouterr()
     assert [line.startswith(f"rkverify: {tmp_path}") for line in told.err.splitlines()] == [True, True]
     assert "1 theorems verified, 2 of 3 logs refused" in told.out
+
+
+UNREADABLE = {
+    "truncated": LOG[:-9].encode(),
+    "wrong hash": LOG.replace("polynomial", "polynomiaL", 1).encode(),
+    "NaN": LOG.replace('"digits":30', '"digits":NaN', 1).encode(),
+    "a huge exponent": LOG.replace('"digits":30', '"digits":1e999999999', 1).encode(),
+    "no text": b"\xff\xfe" + LOG.encode(),
+    "nothing": b"",
+}
+
+
+@pytest.mark.parametrize("damage", UNREADABLE)
+def test_the_command_answers_damage_with_one_line_and_1(damage, tmp_path, capsys):
+    """No traceback, no second line, the file named."""
+    file = tmp_path / "log.json"
+    file.write_bytes(UNREADABLE[damage])
+    assert main(["recheck", str(file)]) == 1
+    told = capsys.readouterr()
+    assert told.err.count("\n") == 1
+    assert told.err.startswith(f"rkverify: {file}: ")
+    assert "0 theorems verified, 1 of 1 logs refused" in told.out
+    assert main(["recheck", str(tmp_path)]) == 1
+    assert capsys.readouterr().err.count("\n") == 1
