@@ -27,7 +27,7 @@ SEMI_LAGRANGIAN_ONLY = ("stress_law", "node_motion", "cell_edges", "cell_measure
 class Setting:
     """What a dispersion relation depends on, rho = 1 and modulus = 1.
 
-    support_ratio R and stress_ratio (sigma/C^sigma, or S/C^SE) are dimensionless; stretch is F; velocity_gradient
+    support_ratio R and stress_ratio (sigma/C^sigma, or S/C^SE) are dimensionless; stretch is F of the base x = F X; velocity_gradient
     is Q in 1/time; spacing is h; frame_velocity is that of the node at which the equation is written. Numbers may be
     strings such as "3/2", which are exact. layer: `printed` is the formula in print; `as-defined` the linearisation of
     the semi-discrete equations as the paper defines them; `consistent` the same with the true material rate of the shape
