@@ -142,7 +142,8 @@ COMMANDS = (
     Command(
         "ledger",
         "the state of every equation, figure and claim",
-        "States of all 170 entries computed from the studies' statements, or one entry with its evidence.\n"
+        "States of all 170 entries and grades of their evidence, computed from the studies' statements, or one entry\n"
+        "with its evidence.\n"
         "Needs a checkout.",
         "  rkverify ledger C43",
         options.ledger,
