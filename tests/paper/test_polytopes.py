@@ -286,8 +286,8 @@ def test_what_rounding_may_make_of_a_height() -> None:
     """64 epsilon, times the largest coordinate, times the sum of the normal's: in other units it is that of the units."""
     F, X = Float(), ((3.0, -5.0), (1.0, 2.0))
     found = rounding_of_heights(X, (0.5, 4.0), (0.25, -1.5), F)
-    assert found == pytest.approx(ROUNDINGS * F.epsilon * 5.0 * 1.75, rel=1e-15)
+    assert found == pytest.approx(ROUNDINGS * F.epsilon * 5.0 * 1.75, rel=1e-15, abs=0)
     assert ROUNDINGS == 64
     far = rounding_of_heights(X, (0.5, -7.0), (0.5, -3.0), F)
-    assert far == pytest.approx(found * 7 / 5 * 2, rel=1e-15)
+    assert far == pytest.approx(found * 7 / 5 * 2, rel=1e-15, abs=0)
     assert rounding_of_heights(X, (0, 0), (1, 1), K) == 0
