@@ -11,6 +11,7 @@ from rkverify.ledger.grades import GRADES
 from rkverify.paths import Checkout
 from rkverify.report import answers, api, cards, choices, content, explorer, front, grading, record, sections
 from rkverify.report.formulas import data, formulas
+from rkverify.report.typeset import typeset
 from rkverify.workflow.files import write_atomically
 from rkverify.workflow.study import LAYERS
 
@@ -116,6 +117,7 @@ def build(place: Checkout) -> Path:
         trim_blocks=True,
         lstrip_blocks=True,
     )
+    environment.filters["typeset"] = typeset
     environment.globals.update(
         menu=menu(),
         site=site,

@@ -33,15 +33,19 @@ function sortable(table) {
   });
 }
 
+// Pages have letters where a keyboard has their names: sigma is found as well as its letter, omega^2 as omega with a raised 2.
+const GREEK = { psi: "ψ", phi: "φ", omega: "ω", sigma: "σ", rho: "ρ", lambda: "λ", delta: "δ", beta: "β", pi: "π", mu: "μ" };
+const letters = (text) => text.toLowerCase().replace(/psi|phi|omega|sigma|rho|lambda|delta|beta|pi|mu/g, (name) => GREEK[name]).replace(/[\^_]/g, "");
+
 function filtering(form) {
   const rows = [...document.getElementById(form.dataset.filters).tBodies[0].rows];
   const cards = new Map([...document.querySelectorAll("article.card")].map((card) => [card.id, card]));
   const texts = rows.map((row) => {
     const card = cards.get(row.dataset.id);
-    return `${row.textContent} ${card ? card.textContent : ""}`.toLowerCase();
+    return letters(`${row.textContent} ${card ? card.textContent : ""}`);
   });
   const show = () => {
-    const words = form.words.value.toLowerCase().split(/\s+/).filter(Boolean);
+    const words = letters(form.words.value).split(/\s+/).filter(Boolean);
     const state = form.state.value;
     let left = 0;
     rows.forEach((row, place) => {
