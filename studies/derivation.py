@@ -85,8 +85,8 @@ def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
     def least(link: str, under: str) -> float:
         return float(part(link, under)["lost"].min())  # type: ignore[index]
 
-    low = frame["support_ratio"].map(Fraction) <= Fraction(3, 2)
     scni = frame[(frame["link"] == "(65) -> (86)") & (frame["under"] == "C(h/2) edge")]
+    low = scni["support_ratio"].map(Fraction) <= Fraction(3, 2)
     scni_low, scni_high = scni[low], scni[~low]
     literal = frame[(frame["link"] == "(65) -> (86)") & (frame["under"] == "C(h/2) literal")]
     dni = frame[(frame["link"] == "(74) -> (81)") & ~frame["under"].str.startswith("B_I")]
@@ -222,7 +222,7 @@ def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
 STUDY = Study(
     "Derivation of the printed stencils",
     Parameters(),
-    Parameters(support_ratios=("11/10", "3/2", "7/4"), wide_ratios=()),
+    Parameters(support_ratios=("3/2", "7/4"), wide_ratios=()),
     compute,
     judge,
     draw,

@@ -106,7 +106,7 @@ def discriminants(
                         "stress_ratio": stress,
                         "Q": Q,
                         "kh": label,
-                        "D": certain_digits(D, 12),
+                        "D": certain_digits(D, 9),
                     }
                 )
     return rows

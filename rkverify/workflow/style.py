@@ -24,6 +24,8 @@ HASHED = re.compile(r"(?<=[\"#])(?:(?P<kind>[a-z])[0-9a-f]{10}|DejaVu[\w-]+)(?=[
 PLACES = re.compile(r' (d|x|y|width|height)="([^"]*)"')
 MOVED = re.compile(r"(?<=translate\()[^)]*")
 LETTER = re.compile(r'(<use [^>]*?) transform="translate\((\S+) 0\)"/>')
+GROUP = re.compile(r'<g id="(?!axes)[\w.]+"')
+"""A group with a name that nothing refers to; those of the axes stay, for whoever edits a drawing."""
 FRACTION = re.compile(r"-?\d+\.\d+")
 
 POSITIVE, NEGATIVE = "#DDE8F0", "#E8A06A"
@@ -123,7 +125,7 @@ def _rounded_places(text: str) -> str:
         points = FRACTION.sub(_hundredth, found[2])
         return f' {found[1]}="{re.sub(r"(?<=[A-Za-z]) ", "", points).strip()}"'
 
-    text = MOVED.sub(lambda m: FRACTION.sub(_hundredth, m[0]), PLACES.sub(places, text))
+    text = MOVED.sub(lambda m: FRACTION.sub(_hundredth, m[0]), PLACES.sub(places, GROUP.sub("<g", text)))
     return LETTER.sub(r'\1 x="\2"/>', text)
 
 
