@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from rkverify.errors import BadInput
-from rkverify.solid.domain import Box, Domain, box, polygon_domain
+from rkverify.solid.domain import Box, Domain, box, checked_domain, polygon_domain
 
 SQUARE = [(0, 0), (4, 0), (4, 4), (0, 4)]
 HOLE = [(1, 1), (2, 1), (2, 2), (1, 2)]
@@ -108,6 +108,17 @@ def test_an_unusable_box_is_refused(low: list[float], high: list[float], message
     """An empty or infinite box has no cells."""
     with pytest.raises(BadInput, match=message):
         box(low, high)
+
+
+@pytest.mark.parametrize("d", [1, 2, 3])
+def test_a_domain_of_fewer_or_of_more_dimensions_than_the_nodes_is_refused(d: int) -> None:
+    """Cells of nodes in the plane in a box in space, or on a line, would have measures of another unit."""
+    for other in (1, 2, 3):
+        if other == d:
+            checked_domain(box([0] * d, [1] * d), d)
+            continue
+        with pytest.raises(BadInput, match=f"^the nodes have {other} coordinates and the domain {d}: give both"):
+            checked_domain(box([0] * d, [1] * d), other)
 
 
 def test_the_place_of_a_crossing_is_that_of_its_edges() -> None:

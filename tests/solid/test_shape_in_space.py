@@ -1,6 +1,7 @@
 """Compiled shape functions in one to three dimensions: reproduction, derivatives by complex step, the transcription, errors."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from itertools import combinations_with_replacement, product
 
 import numpy as np

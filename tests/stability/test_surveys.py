@@ -346,6 +346,15 @@ def test_printed_roots_are_those_of_the_quadratic(s: float, Q: float) -> None:
         assert abs(pair.sum() - sum(of_layer)) < 1e-7
 
 
+def test_growth_and_frequency_are_the_largest_of_their_roots() -> None:
+    """e^{i omega t} grows at -Im omega, and a frequency has no sign; at rest roots come in pairs of opposite sign."""
+    omega = np.array([[1 + 2j, -3 - 0.5j, 0.1j], [-0.2 + 1j, 0.1 + 3j, 0.05 + 0.25j]])
+    assert growth(omega).tolist() == [0.5, -0.25]
+    assert frequency(omega).tolist() == [3.0, 0.2]
+    pairs = roots_over(SETTINGS[1], KH)(0.5, 0.0)
+    assert abs(pairs.sum(axis=1)).max() == 0 < abs(pairs).min()
+
+
 def _rounded_to(rows: list[dict[str, Any]], column: str, digits: int) -> None:
     """All values of a column have so many digits, and some no fewer: what is printed is what the study says that it prints."""
     values = [row[column] for row in rows if np.isfinite(row[column])]
