@@ -40,8 +40,9 @@ test: install ## the tests, property tests in their quick profile (5 min)
 property: install ## the property tests as in CI: derandomised, no deadline, no database (2 min)
 	RKVERIFY_HYPOTHESIS=ci $(BIN)/python -m pytest -n auto tests/property
 
-fuzz: install ## the property tests, large and climbing towards the worst case (10 min)
+fuzz: install ## the property tests, large and climbing, then searches for worst cases from SEED, printed where to be kept (20 min)
 	RKVERIFY_HYPOTHESIS=fuzz $(BIN)/python -m pytest -n auto tests/property
+	$(BIN)/python -m rkverify.certify.worst.catalogue $(or $(SEED),1)
 
 check: install ## formatter, linter, types and import rules (20 s)
 	$(BIN)/ruff format --check .
