@@ -7,10 +7,10 @@ import pytest
 
 from rkverify.solid.materials.moduli import Moduli
 from rkverify.stability.at_rest import at_rest
-from rkverify.stability.bloch import evidence, surveys
+from rkverify.stability.bloch import evidence, surveys, surveys_in_space
 from rkverify.stability.bloch.clouds import growth, held_cloud, uneven_square
 from rkverify.stability.bloch.evidence import BOX, Case
-from rkverify.stability.bloch.lattices import Lattice, jittered, lattice
+from rkverify.stability.bloch.lattices import Lattice, cubic, jittered, lattice
 from rkverify.stability.bloch.linearised import Linearised, linearised
 from rkverify.stability.bloch.loading import Loading
 from rkverify.stability.bloch.scheme import Scheme
@@ -33,8 +33,8 @@ def of(name: str, method: Method, window: str = "radial") -> Linearised:
 
 def grows(one: Linearised, load: Loading, k: np.ndarray) -> np.ndarray:
     """Growth at every k by the eigenvalues of K(k)/m."""
-    size = 2 * len(one)
-    K = stiffness(one, load, k).reshape(len(k), size, size) / np.repeat(one.masses, 2)[:, None]
+    size = one.gradients.offsets.shape[1] * len(one)
+    K = stiffness(one, load, k).reshape(len(k), size, size) / np.repeat(one.masses, size // len(one))[:, None]
     found = np.sqrt(-np.linalg.eigvals(K).astype(complex)).real.max(axis=1)
     return np.where(found > 1e-5, found, 0.0)
 
@@ -269,3 +269,62 @@ def test_a_lattice_is_the_same_whichever_copies_of_its_nodes_are_given() -> None
             off = (patch.positions - nodes.nodes[patch.basis]) @ np.linalg.inv(periods)
             np.testing.assert_allclose(off, np.round(off), rtol=0, atol=1e-12)
             assert len(np.unique(np.round(patch.positions, 9), axis=0)) == len(patch.positions)
+
+
+@cache
+def of_cubes(method: Method, window: str = "radial") -> Linearised:
+    return linearised(cubic(), method.scheme(R, window))
+
+
+def test_growth_in_space_is_that_of_its_state_and_place() -> None:
+    """Six states written out; over the zone with the place, and along an edge, a face diagonal and a space diagonal."""
+    S = SIZE
+    loads = {
+        "no stress": (0, 0, 0, 0, 0, 0), "tension": (S, 0, 0, 0, 0, 0), "compression": (-S, 0, 0, 0, 0, 0),
+        "triaxial tension": (S, S, S, 0, 0, 0), "triaxial compression": (-S, -S, -S, 0, 0, 0), "shear": (0, 0, 0, S, 0, 0),
+    }  # fmt: skip
+    rows = surveys_in_space.growth_rows([DNI], [R], S, 4)
+    assert [row["state"] for row in rows] == list(loads)
+    one, every = of_cubes(DNI), commensurate(cubic(), 4)
+    for row in rows:
+        load = Loading(loads[row["state"]])
+        k = np.array([[row["kx"], row["ky"], row["kz"]]])
+        assert abs(row["zone"] - grows(one, load, every).max()) <= CLOSE
+        assert abs(row["zone"] - grows(one, load, k)[0]) <= CLOSE
+        assert (row["zone"] > 0) == bool(k.any())
+        for name, direction in (("[100]", (1, 0, 0)), ("[110]", (1, 1, 0)), ("[111]", (1, 1, 1))):
+            line = np.array([[np.pi * j / 4 * c for c in direction] for j in (1, 2, 3, 4)])
+            assert abs(row[name] - grows(one, load, line).max()) <= CLOSE
+        assert (row["method"], row["support_ratio"]) == ("DNI full", R)
+    assert sum(row["zone"] > 0.1 for row in rows) >= 4
+    assert any(row["kz"] != row["ky"] for row in rows)
+
+
+def test_the_chain_beside_space() -> None:
+    """Differences of omega^2 over the modulus 3 for both windows, and the chain's growth, by its own relation."""
+    rows = surveys_in_space.chain_rows([DNI, SCNI], [R], SIZE, 4)
+    assert [(row["method"], row["state"]) for row in rows] == [
+        (method.name, state) for method in (DNI, SCNI) for state in ("tension", "compression")
+    ]
+    kh = np.pi * np.arange(1, 5) / 4
+    for row in rows:
+        s = SIZE if row["state"] == "tension" else -SIZE
+        method = DNI if row["method"] == DNI.name else SCNI
+        relation = at_rest(Setting("semi-lagrangian", method.integration, R, layer="as-defined", convective=False))
+        squared = 3 * relation.omega_squared(s / 3, kh)
+        growth_of = np.sqrt(max(-squared.min(), 0.0))
+        assert abs(row["chain"] - (growth_of if growth_of > 1e-5 else 0.0)) <= CLOSE
+        for window in ("tensor", "radial"):
+            load = Loading((s, 0, 0, 0, 0, 0))
+            K = stiffness(of_cubes(method, window), load, kh[:, None] * np.array([1, 0, 0]))[:, 0, 0, 0, 0]
+            assert abs(row[window] - abs(K - squared).max() / 3) <= 1e-12
+    assert max(row["radial"] for row in rows) > 1e-2
+    assert {row["chain"] > 0.1 for row in rows} == {True, False}
+
+
+def test_scni_in_space_grows_in_compression_beyond_the_shear_modulus() -> None:
+    rows = surveys_in_space.bound_rows(R, 4, [0.9, 1.1])
+    for row in rows:
+        load = Loading((-row["share"], 0, 0, 0, 0, 0))
+        assert abs(row["growth"] - grows(of_cubes(SCNI), load, commensurate(cubic(), 4)).max()) <= CLOSE
+    assert [(row["share"], row["growth"] > 0) for row in rows] == [(0.9, False), (1.1, True)]

@@ -129,6 +129,10 @@ def test_a_base_that_vanishes_and_an_unknown_start_are_refused() -> None:
 def test_where_a_curve_leaves_a_band() -> None:
     assert first_beyond([0.1, 0.2], [1.02, 0.98], 0.1) == float("inf")
     assert abs(first_beyond([0.1, 0.3], [1.0, 0.8], 0.1) - 0.2) < 1e-15
+    # from nothing at 0 to 0.4 at the first sample, on either side
+    assert abs(first_beyond([0.2, 0.3], [1.4, 1.0], 0.1) - 0.05) < 1e-15
+    assert abs(first_beyond([0.2, 0.3], [0.6, 1.0], 0.1) - 0.05) < 1e-15
+    assert first_beyond([0.25, 0.5], [1.0, 1.25], 0.25) == 0.5
     # from 0.05 to 0.25 on the other side: half-way the gap is 0.15
     assert abs(first_beyond([0.1, 0.3], [1.05, 1.25], 0.15) - 0.2) < 1e-15
 
