@@ -9,10 +9,13 @@ from markupsafe import Markup, escape
 
 GREEK = {
     "Psi": "Ψ", "Gamma": "Γ", "Delta": "Δ", "phi": "φ", "omega": "ω", "sigma": "σ", "rho": "ρ", "lambda": "λ", "mu": "μ",
-    "pi": "π", "delta": "δ", "kappa": "κ", "beta": "β", "Xi": "Ξ",
+    "pi": "π", "delta": "δ", "kappa": "κ", "beta": "β", "Xi": "Ξ", "Omega": "Ω", "gamma": "γ",
 }  # fmt: skip
 LETTER = "|".join(GREEK)
-BASE = rf"(?:[A-Za-z]{{1,2}}|sum|d?{LETTER})"
+BASE = rf"(?:[A-Za-z]{{1,2}}|sum|int|d?(?:{LETTER}))[\u0302-\u0308]*"
+ACCENTED = re.compile(rf"(?<![A-Za-z])(d?)({LETTER}|[A-Za-z])(bar|hat)?(~)?(ddot|dot)?(?![A-Za-z])")
+MARKS = {"bar": "\u0304", "hat": "\u0302", "~": "\u0303", "dot": "\u0307", "ddot": "\u0308", None: ""}
+"""Their names -> marks over the letter before."""
 SIGNS = {"&lt;=": "≤", "&gt;=": "≥", "-&gt;": "→"}
 
 
@@ -25,6 +28,11 @@ def typeset(words: object) -> Markup:
 
     >>> str(typeset("omega^2 < 0 where C^sigma + sigma <= -1/2; Psi_I,x, `make test`"))
     'ω<sup>2</sup> &lt; 0 where C<sup>σ</sup> + σ ≤ −1/2; Ψ<sub>I</sub>,x, <code>make test</code>'
+
+    Marks over a letter, and what stands in braces:
+
+    >>> print(typeset("(u~_{I+1} - 2 u~_I), phidot_a, sum_{J=1..NP}, int_{Omega_L}, f_ext_I").replace("\u0303", "~").replace("\u0307", "."))
+    (u~<sub>I+1</sub> − 2 u~<sub>I</sub>), φ.<sub>a</sub>, Σ<sub>J=1..NP</sub>, ∫<sub>Ω<sub>L</sub></sub>, f<sub>ext I</sub>
 
     Names with underscores, ranges and powers of ten in a number stay as they are.
 
@@ -40,7 +48,11 @@ def typeset(words: object) -> Markup:
 def _formulas(words: str) -> str:
     for plain, sign in SIGNS.items():
         words = words.replace(plain, sign)
+    words = ACCENTED.sub(_accented, words)
+    words = re.sub(r"(?<=[f\u0303])_(int|ext)_([A-Z])(?!\w)", r"_{\1 \2}", words)
+    words = re.sub(r"(?<!\w)int (?=delta |d\()", "∫ ", words)
     words = re.sub(rf"(?<![\w.])({BASE}\*?)_([A-Za-z0-9]{{1,3}})(?!\w)", _sub, words)
+    words = re.sub(rf"(?<![\w.])({BASE}\*?)_\{{([^{{}}]*)\}}", _sub, words)
     words = re.sub(r"(?:\^|\*\*)(?:\{(?P<braces>[^{}]*)\}|(?P<part>-?\w+|\(-?\d+/\d+\)))", _sup, words)
     words = re.sub(rf"(?<![A-Za-ce-z_&])(?:{LETTER})(?![A-Za-z_]|-[a-z])", lambda m: GREEK[m[0]], words)
     words = re.sub(r"(?<![\w*])\*(?=\w)|(?<=\d)\*(?=[A-Za-z(])|(?<=\))\*(?=[\w(])", "·", words)
@@ -48,4 +60,10 @@ def _formulas(words: str) -> str:
 
 
 def _sub(found: re.Match[str]) -> str:
-    return f"{'Σ' if found[1] == 'sum' else found[1]}<sub>{found[2]}</sub>"
+    base = {"sum": "Σ", "int": "∫"}.get(found[1], found[1])
+    return f"{base}<sub>{found[2]}</sub>"
+
+
+def _accented(found: re.Match[str]) -> str:
+    before, letter, *marks = found.groups()
+    return before + letter + "".join(MARKS[mark] for mark in marks)
