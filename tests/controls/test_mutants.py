@@ -71,7 +71,10 @@ def test_every_module_has_tests_that_are_there(monkeypatch: pytest.MonkeyPatch) 
     for file in sources():
         tests = mutants.tests_of(file)
         assert tests
-        assert [test for test in tests if not (ROOT / test.split("::")[0]).exists()] == []
+        for test in tests:
+            path, _, name = test.partition("::")
+            assert (ROOT / path).exists(), test
+            assert not name or f"def {name.partition('[')[0]}(" in (ROOT / path).read_text(encoding="utf-8"), test
 
 
 def test_reasons_are_about_lines_that_are_there() -> None:
