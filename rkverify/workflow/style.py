@@ -1,6 +1,7 @@
 """How figures look: colours that keep apart in grey print and for colour-blind readers, and SVG that is reproducible."""
 
 import re
+from collections import Counter
 from io import StringIO
 from math import pi
 from typing import TYPE_CHECKING, Any
@@ -26,6 +27,7 @@ MOVED = re.compile(r"(?<=translate\()[^)]*")
 LETTER = re.compile(r'(<use [^>]*?) transform="translate\((\S+) 0\)"/>')
 GROUP = re.compile(r'<g id="(?!axes)[\w.]+"')
 """A group with a name that nothing refers to; those of the axes stay, for whoever edits a drawing."""
+STYLE = re.compile(r' style="([^"]*)"')
 FRACTION = re.compile(r"-?\d+\.\d+")
 
 POSITIVE, NEGATIVE = "#DDE8F0", "#E8A06A"
@@ -129,11 +131,20 @@ def _rounded_places(text: str) -> str:
     return LETTER.sub(r'\1 x="\2"/>', text)
 
 
+def _styles_once(text: str) -> str:
+    """The drawing with a class for each style that is there more than twice."""
+    counts = Counter(STYLE.findall(text))
+    names = {style: f"s{n}" for n, style in enumerate(style for style, count in counts.items() if count > 2)}
+    text = STYLE.sub(lambda m: f' class="{names[m[1]]}"' if m[1] in names else m[0], text)
+    rules = "".join(f"\n.{name}{{{style}}}" for style, name in names.items())
+    return text.replace("</style>", f"{rules}</style>", 1)
+
+
 def svg(figure: "Figure", title: str, alternative: str) -> str:
     """The figure as SVG text, the same for the same data, with its title and its alternative text inside."""
     stream = StringIO()
     figure.savefig(stream, format="svg", metadata=dict.fromkeys(("Date", "Creator", "Format", "Type")))
-    text = _rounded_places(_numbered_names(stream.getvalue()))
+    text = _styles_once(_rounded_places(_numbered_names(stream.getvalue())))
     start = text.index("<svg")
     end = text.index(">", start)
     words = f'\n <title id="t">{escape(title)}</title>\n <desc id="d">{escape(alternative)}</desc>'

@@ -45,6 +45,7 @@ def test_every_name_that_is_used_is_defined_once() -> None:
 def elements(text: str) -> list[tuple[str, str, str, list[float]]]:
     """What a drawing has beside its words, in order: element, style, kinds of strokes, and all places."""
     found = []
+    styles = dict(re.findall(r"\.(s\d+)\{([^}]*)\}", text))
     for element in ElementTree.fromstring(text).iter():
         kind, given = element.tag.rpartition("}")[2], element.attrib
         if kind in ("title", "desc", "metadata") or "purl" in element.tag or "creativecommons" in element.tag:
@@ -54,7 +55,14 @@ def elements(text: str) -> list[tuple[str, str, str, list[float]]]:
         places = [letter[1] if letter else given.get("x", ""), given.get("y", ""), given.get("d", "")]
         places.append("" if letter else given.get("transform", ""))
         numbers = [float(n) for place in places for n in re.findall(r"-?\d+\.?\d*", place)]
-        found.append((kind, given.get("style", ""), "".join(re.findall("[A-Za-z]", given.get("d", ""))), numbers))
+        found.append(
+            (
+                kind,
+                given.get("style") or styles.get(given.get("class", ""), ""),
+                "".join(re.findall("[A-Za-z]", given.get("d", ""))),
+                numbers,
+            )
+        )
     return [one for one in found if one[0] not in ("RDF", "Work")]
 
 
