@@ -30,7 +30,7 @@ def operators() -> dict[str, Any]:
 
 
 def spans_without_code(text: str) -> list[Place]:
-    """Annotations, decorators and type aliases: they do nothing when the program runs."""
+    """Annotations, decorators and `strict` of zip, which looks for a slip of the program's and changes no number."""
     found = []
     for node in ast.walk(ast.parse(text)):
         parts: list[ast.AST | None] = []
@@ -42,6 +42,8 @@ def spans_without_code(text: str) -> list[Place]:
             parts += node.decorator_list
         if isinstance(node, ast.AnnAssign):
             parts.append(node.annotation)
+        if isinstance(node, ast.keyword) and node.arg == "strict":
+            parts.append(node.value)
         found += [(p.lineno, p.col_offset, p.end_lineno or 0, p.end_col_offset or 0) for p in parts if p is not None]  # type: ignore[attr-defined]
     return found
 
