@@ -225,8 +225,8 @@ def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
             Statement(
                 "answered",
                 (),
-                f"Up to a condition number of {worst['condition']:.2g}, with the diagonal scaled to 1, shape functions are answered; at {row['condition']:.2g} their error is below {rounding(float(row['error'] / row['size']))} of their size. An answer says that the matrix is not singular, not that digits are left.",
-                None,
+                f"{int((regular['answers'] == 'yes').sum())} of {len(regular)} regular moment matrices just before the refusal are answered, up to a condition number of {worst['condition']:.2g} with the diagonal scaled to 1. At {row['condition']:.2g} the error of the shape functions is below {rounding(float(row['error'] / row['size']))} of their size: an answer says that the matrix is not singular, not that digits are left.",
+                bool((regular["answers"] == "yes").all()),
                 tried,
                 "sampled",
             )

@@ -26,7 +26,7 @@ from rkverify.certify.worst.running import UNIT, Book, Rounded, constant, rounde
 from rkverify.certify.worst.search import Search, climb
 from rkverify.certify.worst.tabulated import NEAR, kind_rows, tabulated, verdict
 from rkverify.certify.worst.window_rounding import window
-from rkverify.errors import BadInput, UnknownName
+from rkverify.errors import BadInput, Undecided, UnknownName
 from rkverify.kernels import KERNELS
 from rkverify.solid.blocks import blocks
 from rkverify.solid.neighbours import neighbours
@@ -302,6 +302,13 @@ def test_searching_on_tells_what_came_nearer(monkeypatch: pytest.MonkeyPatch, tm
     assert "0 of 1 searches" in capsys.readouterr().out
     assert catalogue.main(["many"]) == 2
     assert capsys.readouterr().err == "give a seed, such as 1, or --write\n"
+
+
+def test_a_stiffness_without_inverse_is_an_error() -> None:
+    """Supports a million times the bar: every cell has the same gradient, and no displacement a digit."""
+    case = CASES["patch test of a bar"]
+    with pytest.raises(Undecided, match="the stiffness has no inverse in double precision"):
+        measured(replace(case, supports=1e6 * case.array("supports")))
 
 
 def test_doubles_in_hexadecimal_are_read_as_written() -> None:

@@ -8,6 +8,7 @@ from rkverify.certify.worst.measures import Measured, compared
 from rkverify.certify.worst.running import SLACK, UNIT, Rounded, stacked
 from rkverify.certify.worst.smoothed import boundary_rounding, gradient_rounding, vertex_shapes
 from rkverify.certify.worst.tiling import measure_rounding
+from rkverify.errors import Undecided
 from rkverify.solid.gradients import scni
 from rkverify.solid.kernel_values import Array
 from rkverify.solid.voronoi import voronoi
@@ -23,7 +24,8 @@ def patch_case(case: WorstCase) -> Measured:
     Exactly, the coefficients d are the linear field: f = K d by the integration constraint and the linear sums, whatever the
     cells. In doubles K' d' = f' + e, so d' - d = K'^-1 (f' - K' d + e). Of f' - K' d, which is 0 without rounding, errors of
     shape functions at a vertex cancel as the shape functions do, so that they are followed with their signs. e is the
-    backward error of the elimination, 3 n u |L||U| |d'| (Higham, 9.3). The condition number is that of the stiffness.
+    backward error of the elimination, 3 n u |L||U| |d'| (Higham, 9.3). The condition number is that of the stiffness; raises
+    Undecided where doubles do not know that it has an inverse.
     """
     cells = voronoi(case.nodes, case.box())
     operator = scni(case.cloud(), cells, "trapezoid")
@@ -38,7 +40,10 @@ def patch_case(case: WorstCase) -> Measured:
     free = _free(case.nodes)
     right = load[free] - K[np.ix_(free, ~free)] @ exact[~free]
     own_part = K[np.ix_(free, free)]
-    found, n = np.linalg.solve(own_part, right), len(right)
+    condition, n = float(np.linalg.cond(own_part)), len(right)
+    if not condition < 1 / UNIT:
+        raise Undecided("the stiffness has no inverse in double precision: smaller supports tell the nodes apart")
+    found = np.linalg.solve(own_part, right)
 
     sizes = abs(B).T @ (A[:, None] * (abs(C) @ abs(B)))
     # Products of rows of count d^2 and d^2 numbers, one by the measure; sums of the right-hand side.
@@ -47,7 +52,7 @@ def patch_case(case: WorstCase) -> Measured:
     P, L, U = lu(own_part)
     backward = 3 * n * UNIT * P @ abs(L) @ abs(U)
     inverse = np.linalg.inv(own_part)
-    condition, size = float(np.linalg.cond(own_part)), float(abs(exact).max())
+    size = float(abs(exact).max())
     spread = abs(inverse) @ backward
     error = abs(found - exact[free])
     if abs(np.linalg.eigvals(spread)).max() >= 0.5:
