@@ -191,7 +191,8 @@ def _curves(axes: Any, p: Parameters, tables: Tables, h: str) -> None:
     axes.set_ylabel("D ρh²/C  (1)")
     thick, thin = p.readings[0].label, p.readings[1].label
     axes.set_title(f"h = {h}, σ/C = {_number(_middle(p)):g}; thick: {thick}, thin: {thin}", fontsize=9)
-    axes.legend(fontsize=8, ncols=2)
+    # On white: the line D = 0 may run below the words.
+    axes.legend(fontsize=8, ncols=2, frameon=True, framealpha=1, edgecolor="none", borderpad=0.2)
 
 
 def tried(p: Parameters) -> str:
