@@ -13,7 +13,8 @@ GREEK = {
 }  # fmt: skip
 LETTER = "|".join(GREEK)
 BASE = rf"(?:[A-Za-z]{{1,2}}|sum|int|d?(?:{LETTER}))[\u0302-\u0308]*"
-ACCENTED = re.compile(rf"(?<![A-Za-z])(d?)({LETTER}|[A-Za-z])(bar|hat)?(~)?(ddot|dot)?(?![A-Za-z])")
+# A bar or a hat needs an index, a power or an argument after it: "that" and "what" are words.
+ACCENTED = re.compile(rf"(?<![A-Za-z])(d?)({LETTER}|[A-Za-z])(bar|hat)?(~)?(ddot|dot)?(?![A-Za-z])(?(3)(?=[_^(]))")
 MARKS = {"bar": "\u0304", "hat": "\u0302", "~": "\u0303", "dot": "\u0307", "ddot": "\u0308", None: ""}
 """Their names -> marks over the letter before."""
 SIGNS = {"&lt;=": "≤", "&gt;=": "≥", "-&gt;": "→"}
@@ -34,10 +35,10 @@ def typeset(words: object) -> Markup:
     >>> print(typeset("(u~_{I+1} - 2 u~_I), phidot_a, sum_{J=1..NP}, int_{Omega_L}, f_ext_I").replace("\u0303", "~").replace("\u0307", "."))
     (u~<sub>I+1</sub> − 2 u~<sub>I</sub>), φ.<sub>a</sub>, Σ<sub>J=1..NP</sub>, ∫<sub>Ω<sub>L</sub></sub>, f<sub>ext I</sub>
 
-    Names with underscores, ranges and powers of ten in a number stay as they are.
+    Words, names with underscores, ranges and powers of ten in a number stay as they are.
 
-    >>> str(typeset("two_routes_in_space, 16-20 nodes, 1e-12, wendland-c2"))
-    'two_routes_in_space, 16-20 nodes, 1e-12, wendland-c2'
+    >>> str(typeset("What that says: two_routes_in_space, 16-20 nodes, 1e-12, wendland-c2"))
+    'What that says: two_routes_in_space, 16-20 nodes, 1e-12, wendland-c2'
     """
     parts = str(escape(str(words))).split("`")
     if len(parts) % 2 == 0:  # a mark without its partner is a character as any other
