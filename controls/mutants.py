@@ -32,7 +32,7 @@ from controls.sandbox import ROOT, Sandbox
 PYTHON = ROOT / ".venv-mutants" / "bin" / "python"
 TABLE = ROOT / "reports" / "controls" / "mutants.csv"
 KEPT = ROOT / ".rkverify" / "mutants"
-SECONDS = 150
+SECONDS = 100
 """Of the processor, for the tests of one mutant: one that takes longer than all of them together hangs."""
 LEVEL = 0.95
 MUTANT = ("file", "line", "operator", "old", "new")
