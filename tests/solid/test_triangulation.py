@@ -7,7 +7,17 @@ import numpy as np
 import pytest
 from scipy.spatial import Delaunay
 
-from rkverify.solid.triangulation import GRID, IN_CIRCLE, _curve, _surely_inside, _turn, _two_parts, triangulated
+from rkverify.solid.triangulation import (
+    GRID,
+    IN_CIRCLE,
+    _completed,
+    _curve,
+    _flipped,
+    _surely_inside,
+    _turn,
+    _two_parts,
+    triangulated,
+)
 
 ANGLES = np.array([0.5, 0.5 + 2 / 3 * np.pi, 0.5 + 4 / 3 * np.pi])
 FAR = 3.9 * np.stack([np.cos(ANGLES), np.sin(ANGLES)], axis=1)
@@ -158,3 +168,33 @@ def test_what_is_surely_inside_is_inside() -> None:
         assert found or share <= 2 * IN_CIRCLE
         said[found] += 1
     assert min(said.values()) > 100
+
+
+def test_any_triangulation_is_completed_to_delaunay() -> None:
+    """Edges of a Delaunay triangulation flipped at random where the four points are convex: flipping back finds the same triangles."""
+    rng = np.random.default_rng(11)
+    x = np.round(np.concatenate([rng.uniform(-0.7, 0.7, (60, 2)), FAR]) * GRID) / GRID
+    v, nb, _ = triangulated(x)
+    v, nb = v.copy(), nb.copy()
+
+    def triangles() -> set[tuple[int, ...]]:
+        return {*map(tuple, np.sort(v, axis=1).tolist())}
+
+    wanted, flips = triangles(), 0
+    for t, k in zip(rng.integers(0, len(v), 400).tolist(), rng.integers(0, 3, 400).tolist(), strict=True):
+        s = int(nb[t, k])
+        if s < 0:
+            continue
+        m = nb[s].tolist().index(t)
+        a, b, p, d = v[t, (k + 1) % 3], v[t, (k + 2) % 3], v[t, k], v[s, m]
+        if _turn(*x[a], *x[d], *x[p]) > 0 and _turn(*x[d], *x[b], *x[p]) > 0:
+            v[t] = a, b, p
+            nb[t] = nb[t, (k + 1) % 3], nb[t, (k + 2) % 3], s
+            _flipped(v, nb, t, s, m)
+            flips += 1
+    assert flips > 50
+    assert len(triangles() - wanted) > 20
+    _completed(np.ascontiguousarray(x[:, 0]), np.ascontiguousarray(x[:, 1]), v, nb)
+    assert triangles() == wanted
+    for t in range(len(v)):
+        assert all(s < 0 or t in nb[s] for s in nb[t])
