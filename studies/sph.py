@@ -320,7 +320,7 @@ def _over_kh(p: Parameters, tables: Tables) -> Drawing:
     return Drawing(
         figure,
         caption,
-        f"Curves of omega squared over kh. Below zero somewhere: {'; '.join(least)}. All others stay at or above zero.",
+        f"omega^2 over kh is below zero somewhere, so that a wave grows, with {'; '.join(least)}. All other curves stay at or above zero.",
     )
 
 
@@ -347,7 +347,7 @@ def _over_R(p: Parameters, tables: Tables) -> Drawing:
     return Drawing(
         figure,
         caption,
-        f"omega squared at kh = pi per unit stress over R, on a symmetrical logarithmic scale. {'; '.join(signs)}.",
+        f"omega^2 at kh = pi over sigma: {'; '.join(signs)}.",
     )
 
 
