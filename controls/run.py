@@ -1,7 +1,9 @@
 """Run the catalogue: every fault in a copy of the checkout, with the tests that should catch it.
 
-    python -m controls.run [WORD …]     faults whose id contains one of the words; all without
+    python -m controls.run [--faults-alone] [WORD …]     faults whose id contains one of the words; all without
 
+Every check is run without any fault first: one that fails then would catch anything, and nothing is tried. --faults-alone
+leaves this out, where it has been done for the same sources and the same catalogue.
 Prints fault -> check -> caught? -> seconds, writes reports/controls/controls.csv (without times, so that it does not change
 from run to run) and ends with status 1 where a fault is not caught.
 """
@@ -9,17 +11,19 @@ from run to run) and ends with status 1 where a fault is not caught.
 import csv
 import sys
 import tempfile
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from queue import SimpleQueue
 
 from controls.faults import Fault, catalogue
-from controls.sandbox import FAILED, ROOT, Run, Sandbox
+from controls.sandbox import FAILED, PASSED, ROOT, Run, Sandbox
 
 WORKERS = 2
 SECONDS = 300
 """For the checks of one fault; the slowest takes a tenth of it."""
+SECONDS_WITHOUT = 3600
+"""For all checks without a fault."""
 TABLE = ROOT / "reports" / "controls" / "controls.csv"
 
 
@@ -30,8 +34,24 @@ def tried(box: Sandbox, fault: Fault) -> Run:
         return box.run(fault.checks, SECONDS)
 
 
-def all_tried(faults: Iterable[Fault], workers: int = WORKERS) -> list[tuple[Fault, Run]]:
-    """The faults one after the other in as many copies as there are workers, a line printed for each."""
+def failing_anyway(boxes: Sequence[Sandbox], faults: Iterable[Fault]) -> list[str]:
+    """What fails without any fault, of the faults' checks: the first in each copy."""
+    checks = sorted({check for fault in faults for check in fault.checks})
+    shares = [checks[n :: len(boxes)] for n in range(len(boxes))]
+
+    def one(box: Sandbox, share: Sequence[str]) -> str:
+        run = box.run(share, SECONDS_WITHOUT) if share else Run(PASSED, 0.0, "")
+        return "" if run.code == PASSED else run.first or f"pytest said {run.code}: {run.said[-300:]}"
+
+    with ThreadPoolExecutor(len(boxes)) as pool:
+        return [found for found in pool.map(one, boxes, shares) if found]
+
+
+def all_tried(faults: Sequence[Fault], workers: int = WORKERS, alone: bool = False) -> list[tuple[Fault, Run]]:
+    """The faults one after the other in as many copies as there are workers, a line printed for each.
+
+    Before them, unless they are to be tried alone, all their checks without a fault.
+    """
     with tempfile.TemporaryDirectory(prefix="rkverify-controls-") as folder:
         boxes = [Sandbox(Path(folder) / str(number)) for number in range(workers)]
         free: SimpleQueue[Sandbox] = SimpleQueue()
@@ -39,6 +59,9 @@ def all_tried(faults: Iterable[Fault], workers: int = WORKERS) -> list[tuple[Fau
             if not box.imports_itself():
                 raise SystemExit("a copy of the checkout imports the checkout: nothing would be tested")
             free.put(box)
+        failing = [] if alone else failing_anyway(boxes, faults)
+        if failing:
+            raise SystemExit("fails without any fault, and would catch anything: " + ", ".join(failing))
 
         def one(fault: Fault) -> tuple[Fault, Run]:
             box = free.get()
@@ -81,8 +104,9 @@ def written(found: list[tuple[Fault, Run]]) -> None:
 
 def main(words: list[str]) -> int:
     """Run, print and write; the number of faults that are not caught, up to 1."""
+    alone, words = "--faults-alone" in words, [word for word in words if word != "--faults-alone"]
     faults = [f for f in catalogue().faults if not words or any(word in f.id for word in words)]
-    found = all_tried(faults)
+    found = all_tried(faults, alone=alone)
     missed = [fault.id for fault, run in found if not caught(run)]
     print(
         f"{len(found) - len(missed)} of {len(found)} faults caught, {sum(r.seconds for _, r in found):.0f} s of tests"

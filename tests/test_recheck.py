@@ -17,7 +17,8 @@ import pytest
 from rkverify.cli import main
 from rkverify.errors import BadInput
 from rkverify.recheck import RULES, recheck
-from rkverify.recheck.boxes import enclosed, zeros_inside
+from rkverify.recheck.boxes import enclosed, positive_on_tree, zeros_inside
+from rkverify.recheck.polynomials import determinant, discriminant
 from rkverify.recheck.reading import Rejected
 
 FOLDER = Path(__file__).resolve().parents[1] / "reports" / "results" / "theorems"
@@ -412,3 +413,22 @@ def test_the_command_answers_damage_with_one_line_and_1(damage, tmp_path, capsys
     assert "0 theorems verified, 1 of 1 logs refused" in told.out
     assert main(["recheck", str(tmp_path)]) == 1
     assert capsys.readouterr().err.count("\n") == 1
+
+
+def test_a_determinant_has_its_sign():
+    """Rows exchanged on the way count, so that discriminants tell two real zeros from none: b^2 - 4 c, up to its factor -1."""
+    assert determinant([[Fraction(0), Fraction(1)], [Fraction(1), Fraction(0)]]) == -1
+    assert determinant([[Fraction(v) for v in row] for row in ([0, 2, 1], [3, 0, 1], [1, 1, 0])]) == 5
+    assert [discriminant([Fraction(c), Fraction(b), Fraction(1)]) for b, c in ((3, 2), (0, 1), (2, 1))] == [-1, 4, 0]
+
+
+def test_a_surface_that_touches_zero_is_not_positive():
+    """The least Bernstein coefficient must be positive itself: 0 and just below it are refused, just above it is taken."""
+    unit = (Fraction(0), Fraction(1))
+    for least in ("1/1000", "0", "-1/1000"):
+        P = [[Fraction(least), Fraction(1)], [Fraction(1)]]
+        if Fraction(least) > 0:
+            assert positive_on_tree(P, "+", unit, unit) == 1
+        else:
+            with pytest.raises(BadInput, match="not positive"):
+                positive_on_tree(P, "+", unit, unit)

@@ -206,7 +206,8 @@ def test_bad_nodes_are_refused_in_one_line(positions: list, error: type, message
     assert "\n" not in str(raised.value)
 
 
-def test_nodes_a_little_apart_are_no_coincident_nodes() -> None:
-    """The twin: a distance of 1e-13 of the domain still has a bisector."""
-    cells = voronoi([[0.5, 0.5], [0.5 + 1e-13, 0.5]], box([0, 0], [1, 1]))
+@pytest.mark.parametrize("apart", [1e-13, 4e-15])
+def test_nodes_a_little_apart_are_no_coincident_nodes(apart: float) -> None:
+    """The twin: a distance of 1e-13 of the domain still has a bisector, and so has any of some units of the grid, 2^-50 of it."""
+    cells = voronoi([[0.5, 0.5], [0.5 + apart, 0.5]], box([0, 0], [1, 1]))
     np.testing.assert_allclose(cells.measures, 0.5, rtol=0, atol=1e-12)
