@@ -269,7 +269,7 @@ def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
 STUDY = Study(
     "Energy and momentum of a free block",
     Parameters(),
-    Parameters(divisions=4, steps=120, shorter=3, points=30),
+    Parameters(divisions=4, steps=60, shorter=3, points=20),
     compute,
     judge,
     draw,

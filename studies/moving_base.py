@@ -147,7 +147,7 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
     alternative = (
         f"N lowers the growth of oscillating waves, with Psi* and with the true rate, in {sum(c < 0 for c in expanding)} of {len(expanding)} cases where the base expands and raises it in "
         f"{sum(c > 0 for c in shrinking)} of {len(shrinking)} where it shrinks. "
-        "Growth with frozen coefficients is off by more than a tenth "
+        f"Growth with frozen coefficients is off by more than {STOPS:.0%} "
         + "; ".join(f"{_shown(p, value)} for {name}" for name, value in found.items())
         + "."
     )
@@ -320,8 +320,8 @@ STUDY = Study(
     Parameters(
         oscillating=(Wave("scni", "3/2", "-1/4", 2.0, "oscillating"), Wave("dni", "3/2", "-1/4", 2.0, "oscillating")),
         growing=(Wave("dni", "7/4", "-1/2", 3.0, "growing"),),
-        duration=0.5,
-        nodes=13,
+        duration=0.25,
+        nodes=9,
         shares=("1/10",),
         sweep_convections=("none",),
     ),

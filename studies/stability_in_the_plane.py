@@ -249,8 +249,8 @@ STUDY = Study(
     Parameters(),
     Parameters(
         support_ratios=("1.4", "1.8"),
-        waves=6,
-        zone_points=7,
+        waves=4,
+        zone_points=5,
         zero_ratios=("1.7",),
         rules=("trapezoid", "gauss:4"),
         cases=(
@@ -259,10 +259,10 @@ STUDY = Study(
             Case("square", SCNI, "1.7", "shear", (2, 2)),
         ),
         jitters=("0", "1/5"),
-        cloud_side=11,
+        cloud_side=9,
         seeds=1,
         uneven=((SCNI, "shear", "truesdell"),),
-        uneven_time=2.0,
+        uneven_time=1.0,
     ),
     compute,
     judge,
