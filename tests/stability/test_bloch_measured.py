@@ -10,7 +10,7 @@ from scipy.linalg import eig
 from rkverify.errors import BadInput
 from rkverify.readings import DERIVATIVES
 from rkverify.solid.gradients import facets_alone, scni
-from rkverify.solid.periodic_plane import rates
+from rkverify.solid.periodic_plane import rates, surroundings
 from rkverify.solid.voronoi import voronoi
 from rkverify.stability.bloch.cell_integrals import facets_of
 from rkverify.stability.bloch.clouds import growth, held_cloud, uneven_square
@@ -236,3 +236,17 @@ def test_e_foldings_are_growth_times_time() -> None:
     # 25 samples at most, every 0.3 of the wave's own time, to a hundredfold amplitude at most
     assert 0.5 < run.foldings < np.log(220)
     assert run.foldings / run.growth < 25
+
+
+def test_the_surroundings_are_all_images_within_the_radius() -> None:
+    """By brute force over many periods: one image that is missed is a neighbour less, for which no shape function would ask."""
+    nodes = jittered(lattice("hexagonal"), 3, 0.2, 5)
+    x, periods, radius = nodes.nodes, nodes.periods, 2.9
+    owners, shifts = surroundings(x, periods, radius)
+    assert (owners[: len(x)] == np.arange(len(x))).all()
+    assert not shifts[: len(x)].any()
+    steps = np.stack(np.meshgrid(*[np.arange(-6, 7)] * 2), axis=-1).reshape(-1, 2) @ periods
+    near = np.linalg.norm((x[:, None] + steps)[:, :, None] - x[None, None], axis=3).min(axis=2) < radius
+    found = {(o, *np.round(s, 6) + 0.0) for o, s in zip(owners.tolist(), shifts, strict=True)}
+    assert found == {(o, *np.round(steps[k], 6) + 0.0) for o, k in np.argwhere(near).tolist()}
+    assert len(found) == len(owners) > 5 * len(x)
