@@ -195,6 +195,41 @@ def _curves(axes: Any, p: Parameters, tables: Tables, h: str) -> None:
     axes.legend(fontsize=8, ncols=2, frameon=True, framealpha=1, edgecolor="none", borderpad=0.2)
 
 
+def negative_in_curves(p: Parameters, tables: Tables, h: str) -> str:
+    """How many of the drawn curves at this h fall below zero between kh = 0 and pi, from which kh on, and with which Q none does."""
+    frame = tables["curves"].frame.astype({"kh": float, "D": float})
+    drawn = frame["reading"].isin([r.label for r in p.readings[:2]]) & (frame["stress_ratio"] == _middle(p))
+    inside = (frame["kh"] > 0) & (frame["kh"] < frame["kh"].max())
+    part = frame[drawn & inside & (frame["spacing"] == h)]
+    below = part[part["D"] < 0]
+    lifted = [Q for Q in p.gradients if not (below["Q"] == Q).any()]
+    curves, count = (len(rows.groupby(["reading", "Q"])) for rows in (below, part))
+    share = f", at {len(below) / len(part):.0%} of their wave numbers from kh = {below['kh'].min():.2g} to {below['kh'].max():.2g}" if len(below) else ""  # fmt: skip
+    none = f"with Q = {', '.join(lifted)} none does" if below.size and lifted else ""
+    return f"{curves} of {count} curves at h = {h} fall below zero{share}{', ' if none else ''}{none}"
+
+
+def at_pi(p: Parameters, tables: Tables) -> str:
+    """The least and the largest drawn D at kh = pi for the first and the last Q."""
+    frame = tables["curves"].frame.astype({"kh": float, "D": float})
+    last = frame[(frame["kh"] == frame["kh"].max()) & (frame["stress_ratio"] == _middle(p))]
+    parts = ((Q, last[last["Q"] == Q]["D"]) for Q in (p.gradients[0], p.gradients[-1]))
+    return " and ".join(f"{part.min():.2g} to {part.max():.2g} with Q = {Q}" for Q, part in parts)
+
+
+def negative_in_maps(p: Parameters, tables: Tables) -> str:
+    """The share of points with D < 0 in the map over Q at its ends, and in the maps over stress on either side of 0 and -1."""
+    over_Q, over_stress = (
+        frame[(frame["kh"] > 0) & (frame["kh"] < frame["kh"].max())]
+        for frame in (tables[name].frame.astype({"kh": float, "D": float}) for name in ("map_Q", "map_stress"))
+    )
+    Q, stress = over_Q["Q"].map(_number), over_stress["stress_ratio"].map(_number)
+    ends = [f"{(over_Q[end == Q]['D'] < 0).mean():.0%} at Q = {end:g}" for end in (Q.min(), Q.max())]
+    sides = {"C + sigma < 0": stress < -1, "compression with C + sigma > 0": (stress > -1) & (stress < 0), "tension": stress > 0}  # fmt: skip
+    shares = [f"{(over_stress[side]['D'] < 0).mean():.0%} in {name}" for name, side in sides.items() if side.any()]
+    return f"Share of the wave numbers with D < 0 in the map over Q: {' and '.join(ends)}; in the maps over stress: {', '.join(shares)}"
+
+
 def tried(p: Parameters) -> str:
     """The range over which a statement was tried, in words."""
     signs = f"sigma/C in {{{', '.join(p.tried_stresses)}}}"

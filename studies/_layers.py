@@ -119,7 +119,10 @@ def at_rest_sentences(tables: Tables) -> str:
             f"{case}: the print {_grows(print_grows)}, the method {_grows(method_grows)}, at the measured points the computation {_grows(seen)}; measured points and method differ by "
             f"{within(gap(tables, case, 'as-defined', 'simulated', '0'))}, print and method by {within(gap(tables, case, 'printed', 'as-defined', '0'))}"
         )
-    return f"Without a velocity gradient, in units of c/h, as-defined and consistent being the same: {'; '.join(said)}."
+    apart = max(
+        gap(tables, case, "as-defined", "consistent", "0") for case in dict.fromkeys(tables["layers"].frame["case"])
+    )
+    return f"Without a velocity gradient, in units of c/h, as-defined and consistent differing by {within(apart)}: {'; '.join(said)}."
 
 
 def _grows(growth: float) -> str:

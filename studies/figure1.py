@@ -162,10 +162,12 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
         f"{' and '.join(p.rules)}. All of it is ours: the paper draws one cell by hand and gives no numbers; cubic kernel, order 1, supports {p.support_ratio:g} times the distance to the farthest vertex of a node's cell."
     )
     interior, clipped = (chosen[cell] for cell in FILL)
+    edges = frames["edges"]["cell"].value_counts()
+    closing = float(frames["residuals"]["closing"].max())
     alternative = (
-        f"Cells of nodes close around their areas with outward normals, in the interior (area {areas[interior]:.5f}) and where a corner of the boundary cuts in (area {areas[clipped]:.5f}). "
-        f"An L-shaped domain with a square hole is tiled by {len(nodes)} polygons around their nodes. One cell is enlarged in the interior, convex, and one that is cut off by "
-        "a corner of the hole and not convex. On every edge an arrow points out of the cell at a right angle; marks show the vertices, where the trapezoidal rule looks, and two Gauss points on each edge."
+        f"The edges of a cell times their outward normals add up to zero within {rounding(closing)} of the perimeter, in the interior (area {areas[interior]:.5f}) and where a corner of the boundary cuts in (area {areas[clipped]:.5f}). "
+        f"An L-shaped domain with a square hole is drawn with its {len(nodes)} cells, whose areas add up to {areas.sum():.6g}. Enlarged are a cell of {edges['interior']} edges in the interior and one of {edges['clipped']} edges at "
+        f"a corner of the hole. Arrows are normals of the edges; marks show the points of the rules {' and '.join(p.rules)}."
     )
     return {"figure1": Drawing(figure, caption, alternative)}
 

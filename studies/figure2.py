@@ -153,9 +153,9 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
         f"(c) The circle about the moved node keeps {one['semi_kept']}, loses {one['semi_lost']} and gains {one['semi_gained']}; dotted: the Lagrangian support. All parameters and the motion are ours: the paper's figure is a sketch. Grey lines move with the material."
     )
     alternative = (
-        f"A Lagrangian support deforms with the material and keeps its {one['before']} nodes; a semi-Lagrangian one stays a circle and keeps {one['semi_kept']}, loses {one['semi_lost']} and gains {one['semi_gained']}. "
-        "A square block of nodes with a circle around one of them, and the same block drawn out and bent. The circle's image is a long bent oval that still holds the same nodes. "
-        f"The semi-Lagrangian support is a circle of the same radius: kept nodes are dots, lost ones crosses and gained ones diamonds. Over all nodes {everyone['semi_lost']} of {everyone['before']} memberships are lost."
+        f"A Lagrangian support deforms with the material and keeps {one['lagrangian_kept']} of its {one['before']} nodes; a semi-Lagrangian one stays a circle and keeps {one['semi_kept']}, loses {one['semi_lost']} and gains {one['semi_gained']}. "
+        f"Drawn are a block of {p.per_side} by {p.per_side} nodes with a circle around one of them, and the same block after the motion, in which the circle's image has its edge {shape['shortest']:.2f} a to {shape['longest']:.2f} a from the node. "
+        f"The semi-Lagrangian support is a circle of the same radius a = {p.support}: kept nodes are dots, lost ones crosses and gained ones diamonds. Over all nodes {everyone['semi_lost']} of {everyone['before']} memberships are lost."
     )
     return {"figure2": Drawing(figure, caption, alternative)}
 

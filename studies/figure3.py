@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.patches import Circle
@@ -102,6 +103,12 @@ def compute(p: Parameters) -> Tables:
     }
 
 
+def _mean_angle(near: pd.DataFrame, moves: str) -> str:
+    """The mean acute angle between n and the first axis, over the neighbours that move this way."""
+    part = near[near["moves"] == moves]
+    return f"{np.degrees(np.arctan2(part['n_2'].abs(), part['n_1'].abs())).mean():.0f} degrees" if len(part) else "none"
+
+
 def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
     """Velocities; relative velocities with their projections; projections against rates of the distance."""
     near, around, centre = tables["neighbours"].frame, tables["around"].frame, _block(p)[1]
@@ -147,10 +154,11 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
         f"Figure 3 from the motion of Figure 2, {flexure(0).name}: x_1 = (1 + t) X_1, x_2 = X_2/(1 + t) + t x_1^2/6, at t = {p.time}; {p.per_side} by {p.per_side} nodes about 1 apart, moved by up to a quarter, seed {p.seed}, a = {p.support}, node I = {centre} with {len(near)} neighbours: "
         f"{count.get('away', 0)} move away, {count.get('towards', 0)} approach. Arrows are velocities times {1 / SCALE:g} time. (b) Coloured: (n.(v - v_I)) n, n drawn for one neighbour; dashed: where n.(v - v_I) = 0. (c) The two agree to {rounding(gap)}. All parameters and the motion are ours: the paper's figure is a sketch of one neighbour."
     )
+    speed, apart = float(np.hypot(*v_I)), float(np.hypot(near["relative_1"], near["relative_2"]).max())
     alternative = (
-        f"Of {len(near)} neighbours of a node {count.get('away', 0)} move away, where n.(v - v_I) is positive, and {count.get('towards', 0)} approach, where it is negative; everywhere it is the rate of the distance. "
-        "Velocities of the neighbours share a large common part, v_I. With it taken off, neighbours along the direction of stretching have a projection on n that points outward, marked by upward triangles, and those across it one that points "
-        "inward, marked by downward triangles; dashed lines through the node part the sectors. All points of n.(v - v_I) against the rate of the distance lie on the diagonal."
+        f"Of {len(near)} neighbours of a node {count.get('away', 0)} move away, where n.(v - v_I) is positive, and {count.get('towards', 0)} approach, where it is negative; it is off the rate of the distance by {rounding(gap)} at most. "
+        f"The common part v_I of the velocities has the size {speed:.2g}, the velocities relative to it up to {apart:.2g}. The {count.get('away', 0)} projections on n that point outward are marked by upward triangles, the {count.get('towards', 0)} that point "
+        f"inward by downward triangles. Neighbours that move away are {_mean_angle(near, 'away')} off the first axis on the average, those that approach {_mean_angle(near, 'towards')}."
     )
     return {"figure3": Drawing(figure, caption, alternative)}
 

@@ -26,8 +26,8 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
     )
     found = shared.verdicts(p, tables)
     alternative = (
-        f"D over kh has a negative sample in {sum(v.with_negative for v in found)} of {sum(v.settings for v in found)} settings: "
-        "the map over kh and Q and the maps above C + sigma = 0 are of the stable colour, those below it of the unstable one. D touches zero at kh = pi where Q = 0, and a larger Q lifts it."
+        f"D over kh has a negative sample in {sum(v.with_negative for v in found)} of {sum(v.settings for v in found)} settings. "
+        f"{shared.negative_in_maps(p, tables)}. At kh = pi the drawn D is {shared.at_pi(p, tables)}."
     )
     printed = shared.draw(p, tables, "figure5", caption, alternative)
     return {**printed, **shared.draw_layers(p, tables, 5)}

@@ -23,8 +23,8 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
         f"{shared.open_parameters(p)}"
     )
     alternative = (
-        f"D over kh is negative over most wave numbers at h = {p.spacings[0]}. At h = {p.spacings[-1]} a velocity gradient lifts it: the map over kh and Q turns from "
-        "the unstable to the stable colour as Q grows, although the continuum is unstable throughout."
+        f"D over kh: {shared.negative_in_curves(p, tables, p.spacings[0])}. "
+        f"In the same way {shared.negative_in_curves(p, tables, p.spacings[-1])}. {shared.negative_in_maps(p, tables)}."
     )
     printed = shared.draw(p, tables, "figure6", caption, alternative)
     return {**printed, **shared.draw_layers(p, tables, 6)}

@@ -23,8 +23,8 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
         f"{shared.open_parameters(p)}"
     )
     alternative = (
-        f"D over kh in tension falls below zero towards kh = pi at h = {p.spacings[0]} for every Q; the maps over kh and stress are of the unstable colour "
-        f"from an intermediate wave number to pi wherever the stress is positive, wider with more tension, and of the stable colour in compression. At h = {p.spacings[-1]} a velocity gradient of order one lifts D above zero."
+        f"D over kh in tension: {shared.negative_in_curves(p, tables, p.spacings[0])}. "
+        f"In the same way {shared.negative_in_curves(p, tables, p.spacings[-1])}. {shared.negative_in_maps(p, tables)}."
     )
     printed = shared.draw(p, tables, "figure7", caption, alternative)
     return {**printed, **shared.draw_layers(p, tables, 7)}

@@ -24,8 +24,8 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
     )
     found = shared.verdicts(p, tables)
     alternative = (
-        f"D over kh is positive for every wave number in {sum(v.all_positive for v in found)} of {sum(v.settings for v in found)} settings although the continuum is unstable: "
-        "the map over kh and Q and the maps over kh and stress below C + sigma = 0 show the stable colour."
+        f"D over kh is positive for every wave number in {sum(v.all_positive for v in found)} of {sum(v.settings for v in found)} settings with C + sigma < 0. "
+        f"{shared.negative_in_maps(p, tables)}."
     )
     printed = shared.draw(p, tables, "figure8", caption, alternative)
     return {**printed, **shared.draw_layers(p, tables, 8)}
