@@ -82,10 +82,12 @@ def rest_alternative(tables: Tables) -> str:
     sides = full[full["stable_from"] > -1e-3]
     both = full[(full["stable_from"] < -1e-3) & (full["stable_to"] > 1e-3)]
     if len(sides):
-        first.append(f"With the full derivative compression is unstable from R = {_ratios(sides).min():.4g} on")
+        first.append(
+            f"With the full derivative any compression is unstable at {len(sides)} of {len(full)} R, from {_ratios(sides).min():.4g} to {_ratios(sides).max():.4g}"
+        )
     if len(both):
         where = ", ".join(f"{R:g}" for R in _ratios(both))
-        first.append(f"at R = {where} alone neither tension nor compression with C + sigma > 0 is")
+        first.append(f"neither small tension nor small compression is at R = {where}")
     return f"{'; '.join(first)}{'. ' if first else ''}{'; '.join(said)}."
 
 

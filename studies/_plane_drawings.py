@@ -59,6 +59,15 @@ def _driven(growth: "pd.DataFrame", states: Sequence[str]) -> str:
     return f"By stress, all methods together: {', '.join(words)}."
 
 
+def _longest(zone: "pd.DataFrame") -> str:
+    """The longest of the drawn waves that grow."""
+    grows = zone[zone["growth"] > 0]
+    size = np.hypot(grows["kx"], grows["ky"])
+    every = np.hypot(zone["kx"], zone["ky"])
+    shortest = f"the longest wave that grows has |k| = {size.min():.2g}" if len(grows) else "no wave grows"
+    return f"Of waves from |k| = {every[every > 0].min():.2g} on {shortest}"
+
+
 def draw_zone(zone: "pd.DataFrame", states: Sequence[str], ratio: str, stress: float) -> Drawing:
     """Growth over half the Brillouin zone, methods in rows and stresses in columns."""
     from matplotlib import colormaps
@@ -103,7 +112,7 @@ def draw_zone(zone: "pd.DataFrame", states: Sequence[str], ratio: str, stress: f
     return Drawing(
         figure,
         caption,
-        f"Where growth is largest in the zone: {peaks}. Long waves do not grow.",
+        f"Where growth is largest in the zone: {peaks or 'nowhere'}. {_longest(zone)}.",
     )
 
 
@@ -147,11 +156,17 @@ def draw_modes(strain: "pd.DataFrame", drawn: "pd.DataFrame", zero: "pd.DataFram
         f"Above: the least strain that any cell sees of a wave of unit amplitude, square lattice, R = {ratio}, no stress; dots: waves without any, the origin being "
         "a translation. Below: three of these modes, nodes at rest (open) and displaced (full). Everything is ours."
     )
+    edge = strain[(strain["kx"] == strain["kx"].max()) | (strain["ky"] == strain["ky"].max())]
+    corners = edge[edge["kx"].isin((0, strain["kx"].max())) & edge["ky"].isin((0, strain["ky"].max()))]
+    alternating = {m: bool((corners[corners["method"] == m]["strain"] == 0).all()) for m in methods}
+    along = "; ".join(
+        f"{m} {int((part['strain'] == 0).sum())} of {len(part)}" for m, part in edge.groupby("method", sort=False)
+    )
     return Drawing(
         figure,
         caption,
-        f"Waves that change sign from node to node have no strain in any nodal integration; with the trapezoid rule SCNI has none along the whole edge of the "
-        f"square zone. Modes without strain, translations left out: {counted}.",
+        f"Waves that change sign from node to node have no strain in {sum(alternating.values())} of {len(methods)} nodal integrations. "
+        f"Waves without strain along the edge of the square zone: {along}. Modes without strain, translations left out: {counted}.",
     )
 
 

@@ -237,17 +237,23 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
         for column, label in shown
         if len(part)
     ]
-    changes = _sign_changes(at_pi)
+    readings = [(str(name), part) for name, part in at_pi.groupby("derivative", sort=False)]
+    differ = [f"{int((~part['same_sign'].astype(bool)).sum())} of {len(part)} R with the {name} derivative" for name, part in readings]  # fmt: skip
+    signs = [
+        f"{name} derivative: closed form {_positive(part, 'computed')}, (87) {_positive(part, 'printed')}"
+        for name, part in readings
+    ]
     alternative = (
-        f"At kh = pi the closed form with the full derivative is negative for small R and positive from R of about {changes}, while (87) is negative throughout; "
-        f"with the diffuse derivative both are negative. The coefficient of omega over Q: {'; '.join(spans)}."
+        f"At kh = pi the closed form and (87) differ in sign at {' and at '.join(differ)}. "
+        f"Where they are positive: {'; '.join(signs)}. The coefficient of omega over Q: {'; '.join(spans) or 'not computed'}."
     )
     return {"closed_forms": Drawing(figure, caption, alternative)}
 
 
-def _sign_changes(at_pi: Any) -> str:
-    full = at_pi[(at_pi["derivative"] == "full") & (at_pi["computed"] > 0)]
-    return f"{full['support_ratio'].map(_number).min():.3g}" if len(full) else "none"
+def _positive(part: Any, column: str) -> str:
+    """At how many R, and at which, a column is positive."""
+    R = part[part[column] > 0]["support_ratio"].map(_number)
+    return f"at {len(R)} of {len(part)} R" + (f" from {R.min():.3g} to {R.max():.3g}" if len(R) else "")
 
 
 def _all(part: Any, column: str) -> bool:

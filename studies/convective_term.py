@@ -143,7 +143,7 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
         "basis, uniform lattice. R is ours."
     )
     alternative = (
-        f"With Psi* the base accelerates by {star[0]:.2g} to {max(star):.2g} times Q V; with the true "
+        f"With Psi* the base accelerates by {min(star):.2g} to {max(star):.2g} times Q V; with the true "
         f"rate it does not accelerate at {int((frame['base_acceleration_true'] == '0').sum())} of {len(frame)} R."
     )
     return {"base": Drawing(figure, caption, alternative)}

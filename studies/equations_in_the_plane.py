@@ -172,9 +172,12 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
         "cubic kernel, order 1, radial support 5/2 spacings (ours). Left: in time. Right: at t = 0, node by node."
     )
     span = in_time.drop(columns=["time", "total"]).div(in_time.drop(columns=["time", "total"]).iloc[0])
+    total = float((in_time["total"] / in_time["total"].iloc[0] - 1).abs().max())
+    size = float(nodes["rate"].abs().max())
+    true, star = (float((nodes[name] - nodes["rate"]).abs().max() / size) for name in ("true", "star"))
     alternative = (
-        f"Single nodal masses drift to between {span.min().min():.2g} and {span.max().max():.2g} of what they were while their total stays. "
-        "With the true rate the column sums of N lie on the line of equality with the masses' rates; with Psi-star they scatter about it."
+        f"Single nodal masses drift to between {span.min().min():.2g} and {span.max().max():.2g} of what they were, their total by {rounding(total) if total < 1e-9 else f'{total:.1g}'} at most. "
+        f"Column sums of N are off the masses' rates by {rounding(true) if true < 1e-9 else f'{true:.1g}'} of the largest rate at most with the true rate, and by up to {star:.2g} of it with Psi-star."
     )
     return {"masses": Drawing(figure, caption, alternative)}
 

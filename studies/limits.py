@@ -177,7 +177,12 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
             f"{relation}: factor of C + sigma from {printed['material'].min():.3g} to {printed['material'].max():.3g}, "
             f"of sigma from {printed['geometric'].min():.3g} to {printed['geometric'].max():.3g}"
         )
-    alternative = f"The linearised equations have the factors 1 and 0 at every R. {'; '.join(words)}."
+    linearised = part[~part["relation"].str.startswith("(")]
+    meant = int(((linearised["material"] == 1) & (linearised["geometric"] == 0)).sum())
+    alternative = (
+        f"The linearised equations have the continuum's factors 1 and 0 at {meant} of {len(linearised)} settings of formulation and R. "
+        f"In print: {'; '.join(words)}."
+    )
     return {"long_waves": Drawing(figure, caption, alternative)}
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,8 +13,11 @@ from rkverify.certify.mechanics.specimens import square
 from rkverify.certify.order import observed
 from rkverify.solid.materials.neo_hookean import NeoHookean
 from rkverify.workflow.compare import Numeric
-from rkverify.workflow.study import Drawing, Statement, Study, Tables, table
+from rkverify.workflow.study import Drawing, Statement, Study, Tables, rounding, table
 from rkverify.workflow.style import LINES, new_figure
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 PASSED = 1e-11
 """Of mu or 1: rounding of some tens of load steps, each times the condition of the stiffness with flow, some 1e4."""
@@ -201,11 +205,26 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
     largest = float(cells["plastic_strain"].max())
     steps = int(residuals[residuals["tangent"] == "consistent"]["step"].max())
     left = float(residuals[residuals["tangent"] == "elastic"]["residual"].iloc[-1])
+    ends = residuals[residuals["tangent"] == "consistent"]["residual"].iloc[-1]
+    middle = cells.groupby("cell")[["x", "y", "plastic_strain"]].mean()
+    off = np.hypot(middle["x"], middle["y"])
+    half = off[middle["plastic_strain"] > largest / 2]
     alternative = (
-        f"Stress runs in loops that harden. Plastic strain gathers beside the hole, in bands from it, up to {largest:.2g}. With the consistent tangent Newton's residual is rounding after "
+        f"{_loops(cycle)}. Plastic strain reaches {largest:.2g} in the cell {off[middle['plastic_strain'].idxmax()]:.2g} half sides from the middle of the plate; the {len(half)} of {len(middle)} cells with more "
+        f"than half of it are {half.min():.2g} to {half.max():.2g} half sides away. With the consistent tangent Newton's residual is {rounding(ends)} of the first or less after "
         f"{steps} steps; with the elastic one {left:.0e} of it is left after {int(residuals['step'].max())}."
     )
     return {"plasticity": Drawing(figure, caption, alternative)}
+
+
+def _loops(cycle: "pd.DataFrame") -> str:
+    """Stress where the path turns, the second turn beside the first, and what is left where the strain is back at zero."""
+    words = []
+    for path, part in cycle.groupby("path", sort=False):
+        first, second = (part.loc[part["strain"].idxmax(), "stress"], part.loc[part["strain"].idxmin(), "stress"])
+        grown = f"grows from {first:.2g} to {abs(second):.2g} μ" if abs(second) > abs(first) else f"does not grow ({first:.2g} and {abs(second):.2g} μ)"  # fmt: skip
+        words.append(f"in {path} it {grown} and is {part['stress'].iloc[-1]:.2g} μ at the end")
+    return f"Stress from the first turn of a cycle to the second: {', '.join(words)}"
 
 
 def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:

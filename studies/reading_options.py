@@ -19,6 +19,23 @@ SAME = 1e-6
 """Below this share of the largest frequency two relations are one: double roots are known to the root of rounding."""
 
 
+CHOICES = {
+    "derivative": "the derivative of a shape function",
+    "stress_law": "the rate of stress",
+    "node_motion": "what a node moves with",
+    "cell_edges": "the edges of cells under motion",
+    "cell_measure": "the measure of a cell",
+    "support_radius": "the support radius in time",
+    "mass": "the mass matrix",
+    "half_point": "C(h/2)",
+    "convection": "the rate in the convective term",
+    "window": "the window of the kernel in the plane",
+    "edge_rule": "the rule on a cell's edge",
+    "integration": "the nodal integration",
+}
+"""The choices in words."""
+
+
 @dataclass(frozen=True)
 class Parameters:
     """Support ratios, stresses over C, velocity gradients in c/h (0 first), waves over the half circle; in the plane support ratios,
@@ -149,13 +166,15 @@ def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:
             f"{row.option} by {row.at_rest:.3g}" + (f" and {float(row.in_motion):.3g}" if on_line else "")
             for row in others.itertuples()
         )
+        still = [str(row.option) for row, shift in zip(others.itertuples(), shifts, strict=True) if shift <= SAME]
+        moved = f"{', '.join(still)} moves no frequency" if still else "every other option moves some frequency"
         states = "at rest and in motion" if on_line else "at rest"
         layer = {"half_point": "printed", "convection": ""}.get(str(choice), "as-defined" if on_line else "")
         found.append(
             Statement(
                 name=str(choice),
                 about=(),
-                says=f"In place of {first['option']} every other option moves some frequency. Largest shifts {states}, as shares of the largest frequency: {told}.",
+                says=f"For {CHOICES[str(choice)]}, in place of {first['option']}, {moved}. Largest shifts {states}, as shares of the largest frequency: {told}.",
                 holds=bool(min(shifts) > SAME),
                 tried=line if on_line else plane,
                 evidence="sampled",

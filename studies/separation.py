@@ -9,7 +9,7 @@ import pandas as pd
 from rkverify.certify.mechanics import folding, lost_digits, separation
 from rkverify.readings import NODAL_INTEGRATIONS
 from rkverify.workflow.compare import Numeric
-from rkverify.workflow.study import Drawing, Statement, Study, Table, Tables, table
+from rkverify.workflow.study import Drawing, Statement, Study, Table, Tables, rounding, table
 from rkverify.workflow.style import LINES, new_figure
 
 WITHIN = 1.5
@@ -261,13 +261,36 @@ def _draw_gap(p: Parameters, tables: Tables) -> Drawing:
         f"{p.start:g} supports without stress. Lagrangian: neo-Hookean. Semi-Lagrangian: Truesdell law, supports fixed; cells of SCNI are those of "
         "the whole outline. All parameters are ours."
     )
-    pull = -float(reference["neo_hookean"].iloc[-1])
+    pulls = -lagrangian[lagrangian["motion"] == "parting"].set_index("gap")["neo_hookean"]
+    seen = part[np.isfinite(part["condition_middle"])]["condition_middle"]
+    push = float(closed["neo_hookean"].abs().max())
+    met = [
+        f"{str(name).upper()} from {forces[forces['force'].abs() > ACTS]['gap'].max():.2g} supports on"
+        for name, forces in semi[semi["motion"] == "meeting"].groupby("integration")
+        if (forces[forces["gap"] >= 0]["force"].abs() > ACTS).any()
+    ]
     alternative = (
-        f"The Lagrangian pull across the gap grows to {pull:.2g} and never ends; that of DNI and SNNI ends within a support; that of SCNI grows until its "
-        "facets in the gap are covered by too few nodes. Meeting halves push each other in the current configuration before they touch, and not at all in the "
-        f"reference configuration. cond M stays the same at the nodes; in the gap it grows, and beyond {last:.2g} supports there are no shape functions."
+        f"The Lagrangian pull across the gap grows at {int((pulls.diff().dropna() > 0).sum())} of {len(pulls) - 1} steps, to {pulls.iloc[-1]:.3g} at {pulls.index[-1]:g} supports; {_pulls(semi)}. "
+        f"Meeting halves that have not touched push each other in the current configuration with {', '.join(met) or 'no integration'}; in the reference configuration the push is {rounding(push) if push < ACTS else f'{push:.2g}'} or less. "
+        f"cond M is {part['condition_nodes'].min():.3g} to {part['condition_nodes'].max():.3g} at the nodes; in the gap it goes from {seen.iloc[0]:.2g} to {seen.iloc[-1]:.2g} at {last:.2g} supports, the last with shape functions there."
     )
     return Drawing(figure, caption, alternative)
+
+
+def _pulls(semi: pd.DataFrame) -> str:
+    """Where the pull of every integration ends, and by what."""
+    told = []
+    for name, part in semi[semi["motion"] == "parting"].groupby("integration"):
+        there = part[np.isfinite(part["force"])]
+        pulling = there[there["force"].abs() > ACTS]
+        size, gap = pulling["force"].abs().max(), pulling["gap"].max()
+        stopped = [WORDS[word] for word in part["stopped"] if word in WORDS]
+        if gap < there["gap"].max():
+            told.append(f"that of {str(name).upper()} reaches {size:.2g} and is gone beyond {gap:.2g} supports")
+        else:
+            end = f" (then {stopped[0]})" if stopped else ""
+            told.append(f"that of {str(name).upper()} reaches {size:.2g} at {gap:.2g} supports, the last computed{end}")
+    return "; ".join(told)
 
 
 def judge(p: Parameters, tables: Tables) -> Sequence[Statement]:

@@ -317,10 +317,11 @@ def _over_kh(p: Parameters, tables: Tables) -> Drawing:
         f"omega^2 at rest of SPH, of RK with DNI without N and of (87); R = {listed(p.measured_ratios)}, sigma/C = {listed(p.stresses)} (all ours), cubic B-spline (12), "
         f"RK of order 1, {_sph.LAW}, SPH with continuity density. Below zero a wave grows."
     )
+    drawn = len(p.stresses) * len(p.measured_ratios) * len(DRAWN)
     return Drawing(
         figure,
         caption,
-        f"omega^2 over kh is below zero somewhere, so that a wave grows, with {'; '.join(least)}. All other curves stay at or above zero.",
+        f"omega^2 over kh is below zero somewhere, so that a wave grows, with {'; '.join(least) or 'none'}. The other {drawn - len(least)} of {drawn} curves stay at or above zero.",
     )
 
 

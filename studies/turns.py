@@ -180,7 +180,11 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
         spans.append(
             f"with the {derivative} derivative " + (f"the sign turns for {found}" if found else "no kernel turns")
         )
-    alternative = f"omega^2 at kh = pi over sigma starts far below zero at R = 1: {'; '.join(spans)}."
+    least = min(profile["support_ratio"], key=_ratio)
+    start = profile[(profile["function"] == "method") & (profile["support_ratio"] == least)]["value"].astype(float)
+    alternative = (
+        f"omega^2 at kh = pi over sigma is {start.max():.3g} or less at R = {_ratio(least):.4g}: {'; '.join(spans)}."
+    )
     return {"turns": Drawing(figure, caption, alternative)}
 
 

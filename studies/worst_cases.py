@@ -6,6 +6,8 @@ from math import ceil, isfinite
 from textwrap import fill
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from rkverify.certify.worst.case import KINDS
 from rkverify.certify.worst.file import fingerprint
 from rkverify.certify.worst.pictures import outline
@@ -117,8 +119,8 @@ def _pictures(frame: "pd.DataFrame") -> Drawing:
         "the cells' edges where cells are measured. Axes in the cases' own units of length, alike in both directions; cases in space are seen along the third axis."
     )
     alternative = (
-        f"{len(names)} small pictures of node sets. {flat} of them have a condition number above 10^4: nodes close to one line or plane, seen as a line of dots, "
-        "with the point beside it; the others look like any jittered lattice, and what makes them worst is in their last digits."
+        f"{flat} of {len(names)} worst cases have a condition number above 10^4, up to {frame['condition'].max():.1g}; that of the other {len(names) - flat} is between "
+        f"{frame['condition'].min():.2g} and {frame[frame['condition'] <= 1e4]['condition'].max():.2g}. Drawn are the nodes of each case, {int(frame['nodes'].min())} to {int(frame['nodes'].max())}."
     )
     return Drawing(figure, caption, alternative)
 
@@ -174,9 +176,15 @@ def _errors(frame: "pd.DataFrame") -> Drawing:
     bounded = frame[frame["verdict"] != "no bound"]
     low, high = bounded["condition"].min(), bounded["condition"].max()
     exceeded = int((frame["verdict"] == "exceeded").sum())
+    seen = bounded[bounded["found"] > 0]
+    apart = np.log10(seen["bound"] / seen["found"])
+    slopes = [
+        np.polyfit(np.log10(seen["condition"]), np.log10(seen[name] / seen["size"]), 1)[0]
+        for name in ("found", "bound")
+    ]
     alternative = (
-        f"Errors and their bounds rise together, about in proportion to the condition number from {low:.1g} to {high:.1g}, one to three powers of ten apart at most conditions; "
-        f"{exceeded} of {len(frame)} errors are above their bounds."
+        f"{exceeded} of {len(frame)} errors are above their bounds, which are {apart.min():.1f} to {apart.max():.1f} powers of ten above them, {apart.median():.1f} in the middle. "
+        f"For condition numbers from {low:.1g} to {high:.1g} errors go with the power {slopes[0]:.2f} of the condition number and bounds with the power {slopes[1]:.2f}, by least squares."
     )
     return Drawing(figure, caption, alternative)
 
