@@ -40,7 +40,7 @@ def test_it_runs_at_once_and_its_test_passes_and_can_fail(there) -> None:
     before, entries = snapshot(there), listed(there)
     done = there.command("new-study", NAME)
     assert (done.returncode, done.stderr) == (0, "")
-    assert f"wrote {STUDY}\nwrote {TEST}\nwrote {PAGE}\nwrote README.md\n" in done.stdout
+    assert f"wrote {STUDY}\nwrote {TEST}\nchanged {PAGE}\nchanged README.md\n" in done.stdout
     after = snapshot(there)
     assert after.keys() - before.keys() == {STUDY, TEST}
     assert listed(there) == entries
