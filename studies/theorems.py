@@ -85,11 +85,11 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
         "of the ends. Where kh = pi ends the window, it grows in every tension beyond."
     )
     spans = ", ".join(f"{str(row['from'])[:6]} to {str(row['to'])[:6]} ({row['kernel']})" for row in rows)
-    spans = f"for R from {spans}" if spans else "where windows are computed, and none was"
+    windows = f"DNI at rest is stable in every tension for R from {spans}" if spans else "No window of stable tension was computed"  # fmt: skip
     found = tables["theorems"].frame
     ends = found[found["family"].isin(("at_pi", "tension"))]
     alternative = (
-        f"DNI at rest is stable in every tension {spans}. Of the theorems on where waves grow before and beyond, "
+        f"{windows}. Of the theorems on where waves grow before and beyond, "
         f"{int((ends['status'] == 'proved').sum())} of {len(ends)} are proved."
     )
     return {"windows": Drawing(figure, caption, alternative)}
