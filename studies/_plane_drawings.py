@@ -102,8 +102,9 @@ def draw_zone(zone: "pd.DataFrame", states: Sequence[str], ratio: str, stress: f
     figure.colorbar(shown, ax=panels, label="growth  (1/time)", shrink=0.8)
     caption = (
         f"Growth over half the Brillouin zone of the square lattice, R = {ratio}, stress {stress:g}; waves k and −k grow alike; white: "
-        f"growth below {levels[0]:g}. SCNI has none. {SETTING}."
+        f"growth below {levels[0]:g}. {SETTING}."
     )
+    top = zone.loc[zone["growth"].idxmax()]
     peaks = "; ".join(
         f"{method}, {state}: {part['growth'].max():.2g} at ({part.loc[part['growth'].idxmax(), 'kx']:.2f}, {part.loc[part['growth'].idxmax(), 'ky']:.2f})"
         for (method, state), part in zone.groupby(["method", "state"], sort=False)
@@ -112,6 +113,7 @@ def draw_zone(zone: "pd.DataFrame", states: Sequence[str], ratio: str, stress: f
     return Drawing(
         figure,
         caption,
+        f"The largest growth of all methods and stresses is {top['growth']:.2g}, with {top['method']} in {top['state']} at ({top['kx']:.2f}, {top['ky']:.2f}). "
         f"Where growth is largest in the zone: {peaks or 'nowhere'}. {_longest(zone)}.",
     )
 

@@ -95,7 +95,7 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
     figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=4, fontsize=8)
     worst, least = _constraint(frame)
     caption = (
-        f"Linear sums, integration constraint and distance from the mean of grad Psi over the cells for {int(frame.groupby(['domain', 'nodes'])['count'].first().sum())} nodes in 8 sets. "
+        f"Linear sums, integration constraint and distance from the mean of grad Psi over the cells for {int(frame.groupby(['domain', 'nodes'])['count'].first().sum())} nodes in {frame.groupby(['domain', 'nodes']).ngroups} sets. "
         f"The grey band is rounding; what is below 1e-12 is drawn at its edge. All parameters are ours: cubic kernel, supports {p.support_ratio} times the distance to the farthest vertex of a node's cell."
     )
     scni, linear = frame["integration"] == "scni", frame["order"] == 1

@@ -147,9 +147,7 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
     panels = dict(zip(shown, figure.subplots(1, 2), strict=True))
     for column, axes in panels.items():
         own = part[part["relation"] == "DNI full"]
-        axes.plot(
-            own["support_ratio"].map(_ratio), own[column], label="linearised equations: the continuum's", **LINES[0]
-        )
+        axes.plot(own["support_ratio"].map(_ratio), own[column], label="linearised DNI, full", **LINES[0])
         for relation in shown[column]:
             printed = part[part["relation"] == relation]
             axes.plot(printed["support_ratio"].map(_ratio), printed[column], label=relation, **styles[relation])
@@ -161,7 +159,7 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
     panels["geometric"].set_ylim(-8, 0.6)
     figure.legend(*panels["material"].get_legend_handles_labels(), loc="outside lower center", ncols=3)
     caption = (
-        f"Long-wave limits at rest, {p.kernel} kernel, linear basis. The linearised SCNI and DNI (full and diffuse derivative) and the Lagrangian bar all lie on the line of the continuum. "
+        f"Long-wave limits at rest, {p.kernel} kernel, linear basis. Black: the linearised DNI with the full derivative; SCNI, DNI with the diffuse derivative and the Lagrangian bar are in the table. "
         "R is ours; the paper gives (86) and (87) for 1 < R < 2."
     )
     frozen, frozen_b = (

@@ -117,7 +117,12 @@ def draw(p: Parameters, tables: Tables) -> Mapping[str, Drawing]:
         f"Largest growth on the simple cubic lattice over the support ratio under a stress of {p.stress:g} along x, of waves that fit into {p.waves} nodes along "
         f"each axis and of {p.waves} along an edge, a face's and the cube's diagonal; the chain has the modulus λ + 2μ; linear below 0.1, logarithmic above. {SETTING}."
     )
-    return {"growth": Drawing(figure, caption, f"Support ratios at which a wave grows: {words}.")}
+    first = ", ".join(
+        f"{_count(growth[(growth['method'] == method.name) & growth['state'].isin(states)]['zone'])} with {method.name}"
+        for method in p.methods
+    )
+    alternative = f"Over support ratios and both signs of stress a wave in space grows in {first}. At these support ratios: {words}."
+    return {"growth": Drawing(figure, caption, alternative)}
 
 
 def _of(frame: "pd.DataFrame", method: str, state: str) -> "pd.DataFrame":
