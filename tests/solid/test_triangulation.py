@@ -13,6 +13,7 @@ from rkverify.solid.triangulation import (
     _completed,
     _curve,
     _flipped,
+    _inserted,
     _surely_inside,
     _turn,
     _two_parts,
@@ -109,6 +110,26 @@ def test_a_point_at_the_place_of_another_is_named() -> None:
     assert triangulated(x)[2] in (5, 16)
     x[16] += [4 / GRID, 0]
     assert triangulated(x)[2] == -1
+
+
+def test_a_point_on_an_edge_next_to_its_end_leaves_no_triangle_without_area() -> None:
+    """The flat triangle is flipped because it is flat: so near to an end of its edge no circle's determinant would say so surely."""
+    rng = np.random.default_rng(3)
+    unsure = 0
+    far = np.round(FAR * GRID) / GRID
+    for k in range(60):
+        a, c = np.round(rng.uniform(-0.7, 0.7, (2, 2)) * GRID) / GRID
+        b = a + np.array([1.0, k % 2]) * np.round(rng.uniform(0.1, 0.6) * GRID) / GRID
+        p = a + np.array([1.0, k % 2]) * int(rng.integers(1, 8)) / GRID
+        x = np.array([*((a, b) if k % 3 else (b, a)), c, p, *far])
+        assert _turn(*a, *b, *p) == 0
+        if _turn(*a, *b, *c) > 0:
+            a, b = b, a
+        unsure += not _surely_inside(*a, *b, *p, *c)  # though p is inside any circle through a and b
+        v, _, found = _inserted(np.ascontiguousarray(x[:, 0]), np.ascontiguousarray(x[:, 1]))
+        assert found == 4
+        assert min(_turn(*x[i], *x[j], *x[m]) for i, j, m in v) > 0
+    assert unsure > 10
 
 
 def test_the_sign_of_an_area_is_exact() -> None:

@@ -9,6 +9,7 @@ from rkverify.solid.cells import OUTSIDE, Cells
 from rkverify.solid.cut_facets import Facets, cut
 from rkverify.solid.domain import Box, box, polygon_domain
 from rkverify.solid.voronoi import voronoi
+from rkverify.solid.voronoi_space import _without_short_edges
 
 CUBE = box([0, 0, 0], [1, 1, 1])
 EPS = np.finfo(float).eps
@@ -179,3 +180,20 @@ def test_a_cut_through_two_legs_closes_each(turn: int, place: float, sign: int, 
     assert flat == caps
     assert abs(whole).max() < 1e-14
     assert abs(measured - volume) < 1e-14
+
+
+@pytest.mark.parametrize(("apart", "vertices"), [(0.0, 8), (1e-15, 8), (1e-12, 9)])
+@pytest.mark.parametrize("corner_last", [False, True])
+def test_an_edge_of_rounding_s_length_is_none_and_the_corner_stays(
+    apart: float, vertices: int, corner_last: bool
+) -> None:
+    """A cube whose corner is there twice: the one that is the box's is kept, to the last digit. The twin, 1e-12 away, is an edge."""
+    v = np.array([(x, y, z) for z in (0.0, 1.0) for y in (0.0, 1.0) for x in (0.0, 1.0)] + [(1.0 - apart, 1.0, 1.0)])
+    loops = [[0, 2, 3, 1], [4, 5, 7, 8, 6], [0, 1, 5, 4], [2, 6, 8, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
+    if corner_last:
+        v[[7, 8]] = v[[8, 7]]
+        loops = [[{7: 8, 8: 7}.get(k, k) for k in loop] for loop in loops]
+    found = _without_short_edges(Facets.of(v, loops, np.array([[0, OUTSIDE]] * 6)), v, CUBE)
+    assert len(found.vertices) == vertices
+    assert sorted(np.diff(found.starts).tolist()) == ([4] * 6 if vertices == 8 else [4] * 4 + [5] * 2)
+    assert [1.0, 1.0, 1.0] in found.vertices.tolist()

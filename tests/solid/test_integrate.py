@@ -1,0 +1,39 @@
+"""A chain's motion in time: what the integrator's own tolerances are good for, and where it stops."""
+
+import numpy as np
+
+from rkverify.readings import Readings
+from rkverify.solid.chain import Chain, Motion
+from rkverify.solid.integrate import integrate
+from rkverify.stability.jacobian_solid import base_chain
+from rkverify.stability.lattice_state import Base
+
+AMPLITUDE = 1e-6
+TIMES = [0.0, 1.0, 2.5, 4.0]
+
+
+def wave() -> tuple[Chain, Motion]:
+    """A stressed chain of 12 nodes at rest, and the velocities of a wave of two periods in it."""
+    chain, still = base_chain(Base("3/2", Readings("scni"), "1/3"), 12)
+    push = AMPLITUDE * np.cos(2 * np.pi * 2 * np.arange(12) / 12)
+    return chain, Motion(still.x, push, still.stress, still.edges, still.measures, still.period)
+
+
+def test_a_small_wave_has_six_digits_with_the_tolerances_as_they_are() -> None:
+    """Velocities against a run a hundred times finer: some ten steps of 1e-14 times sqrt(60), the root of the state's size.
+
+    Positions of order 1 would be good to 1e-11 of themselves: it is the absolute tolerance that sees a wave of 1e-6.
+    """
+    chain, start = wave()
+    found, fine = integrate(chain, start, TIMES), integrate(chain, start, TIMES, 1e-13, 1e-16)
+    assert len(found) == len(fine) == len(TIMES)
+    assert abs(found[0].v - start.v).max() == 0
+    assert max(abs(one.v - other.v).max() for one, other in zip(found, fine, strict=True)) < 1e-6 * AMPLITUDE
+    assert abs(fine[-1].v - start.v).max() > AMPLITUDE
+
+
+def test_it_stops_where_it_is_told_to() -> None:
+    """The velocity of the first node falls to half of what it was just after the second time: two motions are left of four."""
+    chain, start = wave()
+    assert len(integrate(chain, start, TIMES, stop=lambda motion: float(motion.v[0]) - AMPLITUDE / 2)) == 2
+    assert len(integrate(chain, start, TIMES, stop=lambda motion: 1.0)) == len(TIMES)
