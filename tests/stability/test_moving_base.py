@@ -137,6 +137,27 @@ def test_where_a_curve_leaves_a_band() -> None:
     assert abs(first_beyond([0.1, 0.3], [1.05, 1.25], 0.15) - 0.2) < 1e-15
 
 
+@pytest.mark.parametrize("count", [13, 24])
+def test_a_packet_is_in_the_middle_of_its_chain(monkeypatch: pytest.MonkeyPatch, count: int) -> None:
+    """As large on one side as on the other and smooth, so that the free ends are not felt: 1/100 of it, or less, is there."""
+    parts = []
+
+    def seen(chain, start, part, *rest):
+        parts.append(part)
+        return follow(chain, start, part, *rest)
+
+    monkeypatch.setattr("rkverify.stability.moving_base.follow", seen)
+    wave_on_chain(Base("3/2", Readings("scni", "none"), "1/4", "1/10"), count, 2.0, 0.01)
+    real, imaginary = (part[count : 2 * count] for part in parts)
+    packet, middle = real + 1j * imaginary, count // 2
+    side = np.arange(1, count - middle)
+    assert packet[middle] == 1
+    np.testing.assert_allclose(packet[middle + side], np.conj(packet[middle - side]), rtol=0, atol=1e-15)
+    assert (np.diff(abs(packet[middle:])) < 0).all()
+    assert max(abs(packet[[0, -1]])) < 0.01
+    np.testing.assert_allclose(np.angle(packet[middle + side] / packet[middle + side - 1]), 2.0, rtol=0, atol=1e-12)
+
+
 def test_a_change_followed_is_linear_in_its_start() -> None:
     """Its size is taken out on the way and put back: three times the change ends as three times the change."""
     chain, start = finite_chain(Base("3/2", Readings("scni", "psi-star"), "1/3", "1/5"), 11)
