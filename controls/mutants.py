@@ -36,7 +36,7 @@ SECONDS = 100
 """Of the processor, for the tests of one mutant: one that takes longer than all of them together hangs."""
 LEVEL = 0.95
 MUTANT = ("file", "line", "operator", "old", "new")
-COLUMNS = (*MUTANT, "outcome", "test", "reason")
+COLUMNS = (*MUTANT, "first", "outcome", "test", "reason")
 
 Entry = dict[str, Any]
 

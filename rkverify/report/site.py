@@ -9,7 +9,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from rkverify.ledger.grades import GRADES
 from rkverify.paths import Checkout
-from rkverify.report import answers, api, cards, choices, content, explorer, front, grading, record, sections
+from rkverify.report import answers, api, cards, choices, content, explorer, front, grading, record, sections, trials
 from rkverify.report.formulas import data, formulas
 from rkverify.report.typeset import typeset
 from rkverify.workflow.files import write_atomically
@@ -90,6 +90,7 @@ def pages(place: Checkout, site: content.Site) -> dict[str, dict[str, Any]]:
             "words": words,
             "numbers": numbers,
             "controls": record.controls(place) if plan.get("controls") else [],
+            "trials": trials.trials(place) if plan.get("controls") else None,
             "meanings": grading.meanings(site) if plan.get("grades") else [],
             "on_signs": grading.sign_claims(site, every) if plan.get("grades") else [],
         }

@@ -65,6 +65,24 @@ def test_survivors_meet_new_tests_and_nothing_runs_twice_for_the_same(run) -> No
     assert run(["--again"], {0, 2}, "new") == (set(), 2)
 
 
+def test_what_came_out_at_first_is_kept(run) -> None:
+    """A score after tests were written for its survivors is a score of those tests: the first one stays beside it."""
+    run()
+    run(["--again"], {0, 2}, "new")
+    rows = list(csv.DictReader(mutants.TABLE.read_text(encoding="utf-8").splitlines()))
+    assert [(row["first"], row["outcome"]) for row in rows] == [
+        ("killed", "killed"),
+        ("survived", "survived"),
+        ("survived", "killed"),
+        ("survived", "survived"),
+    ]
+    (log,) = mutants.KEPT.iterdir()
+    told = mutants.described([entry | {"reason": ""} for entry in mutants.kept_in(log).values()])
+    assert "when first run" in told
+    assert "1 of 4 killed" in told
+    assert "2 of 4 killed" in told
+
+
 def test_every_module_has_tests_that_are_there(monkeypatch: pytest.MonkeyPatch) -> None:
     known = mutants.catalogue()
     monkeypatch.setattr(mutants, "catalogue", lambda: known)
