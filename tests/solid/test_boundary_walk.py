@@ -59,6 +59,7 @@ def test_every_piece_of_the_boundary_has_its_nearest_node(count: int, seed: int)
             d = corners[after[found.edge[n]]] - A
             if found.corner[n] >= 0:
                 assert found.edge[n] == found.corner[n] != edge
+                assert found.triangle[n] == found.side[n] == -1  # a corner crosses no edge of a triangle
                 at, edge = 0.0, found.edge[n]
             else:
                 i, j = x[found.before[n]], x[found.owner[n]]

@@ -23,7 +23,9 @@ from rkverify.stability.jacobian_paper import Stencil, linearise
 from rkverify.stability.jacobian_solid import base_chain
 from rkverify.stability.lagrangian import bar
 from rkverify.stability.layers import Setting, dispersion
-from rkverify.stability.side_by_side import ANALYTIC, Case, lagrangian_rows, semi_lagrangian_rows
+from rkverify.stability.roots import Root
+from rkverify.stability.side_by_side import ANALYTIC, Case, _measured_row, lagrangian_rows, semi_lagrangian_rows
+from rkverify.stability.simulate import Measured
 from rkverify.stability.stability_sets import (
     FORMULATIONS,
     motion_rows,
@@ -554,3 +556,16 @@ def test_curves_have_their_digits_and_every_case() -> None:
         *[("SCNI, R = 7/4", "printed")] * 4, *[("SCNI, R = 7/4", "as-defined")] * 4, ("SCNI, R = 7/4", "simulated"),
         *[("DNI, R = 7/4", "as-defined")] * 4, ("DNI, R = 7/4", "simulated"),
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("uncertainty", "bound"),
+    [(0, 1e-5), (1.9e-5, 1e-5), (2e-5, 1e-3), (1.9e-3, 1e-3), (2e-3, 0.1), (0.19, 0.1), (0.2, 1), (1.9, 1)],
+)
+def test_a_measured_row_says_the_round_number_above_its_uncertainty(uncertainty: float, bound: float) -> None:
+    """The least of them, over c = 2; and what is not above ten times that number is zero."""
+    for size, seen in ((21 * bound, round(10.5 * bound, 7)), (19 * bound, 0)):
+        found = Measured(1.0, (Root(-size, 0.0), Root(0.0, -size)), uncertainty)
+        row = _measured_row("case", "0", found, 2.0)
+        assert row["uncertain_below"] == bound
+        assert row["growth"] == row["frequency"] == seen
