@@ -115,6 +115,19 @@ def test_a_cell_keeps_its_pieces() -> None:
     _tiles(cells, domain)
 
 
+@pytest.mark.parametrize("angle", np.arange(8) * np.pi / 4 + 0.1)
+def test_an_edge_is_parted_in_order_from_the_circumcentre_on(angle: float) -> None:
+    """An edge that begins inside and is hidden by three holes in a row is four facets, whichever way it goes."""
+    places = [[-0.3, 0], [0.3, 0], [0, 1.2]]
+    holes = [np.array(SQUARE) * 0.1 + [-0.05, y] for y in (0.2, -0.2, -0.6)]
+    domain = polygon_domain([_turned(ring, angle, 0.0) for ring in ([(-1, -1), (1, -1), (1, 1.5), (-1, 1.5)], *holes)])
+    cells = voronoi(_turned(places, angle, 0.0), domain)
+    _tiles(cells, domain)
+    lengths = np.linalg.norm(cells.areas[(np.sort(cells.sides, axis=1) == [0, 1]).all(axis=1)], axis=1)
+    # from y = 0.5625, where the circle through the nodes has its middle
+    np.testing.assert_allclose(np.sort(lengths), [0.2625, 0.3, 0.3, 0.4], rtol=0, atol=16 * EPS)
+
+
 def test_pieces_that_touch_at_a_corner_of_the_domain_are_two_rings() -> None:
     """The bisector runs through the corner that points in: on its far side two triangles, which no other program takes as one ring.
 

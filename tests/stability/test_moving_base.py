@@ -208,12 +208,14 @@ def test_shares_of_the_frozen_growth_are_quotients(monkeypatch: pytest.MonkeyPat
         return Passage(kh, 2.0, 1e-5, 0.75, 0.5, 0.25, 0.25 + 1j)
 
     monkeypatch.setattr(passages, "wave_on_lattice", passage)
-    rows = validity_rows([WAVE], ["1/5", "-1/2"], ["none", "true"])
+    rows = validity_rows([replace(WAVE, stress_ratio="1/3")], ["1/5", "-1/2"], ["none", "true"])
     omega = roots_over(Setting("semi-lagrangian", "dni", "3/2", layer="as-defined", convective=False), np.array([3.0]))
-    at_rest = (-omega(0.5, 0.0).imag).max()
+    at_rest = (-omega(1 / 3, 0.0).imag).max()
     for row, (base, kh, start) in zip(rows, seen, strict=True):
         assert abs(row["growth_at_rest"] - at_rest) < 1e-9
         assert abs(float(base.velocity_gradient) - float(Fraction(row["Q_over_growth"])) * at_rest) < 1e-6
+        # a short rational, so that a reader can give the same Q
+        assert (Fraction(base.velocity_gradient) / Fraction(row["Q_over_growth"])).denominator <= 10**6
         assert (base.readings.convection, kh, start) == (row["convection"], 3.0, "growing")
         assert (row["frozen"], row["moving"], row["nonlinear"], row["error"]) == (0.25, 2.0, 3.0, 1e-5)
     assert [(row["convection"], row["Q_over_growth"]) for row in rows] == [
