@@ -165,6 +165,19 @@ def test_the_acceleration_misses_what_psi_star_misses(
     assert any(gaps)
 
 
+def test_in_the_plane_the_acceleration_that_is_not_named_is_the_first() -> None:
+    """Nodes that fall along x and rise along y: Psi*_I has the same factor for both components, which are told apart."""
+    places = [[Fraction(i), Fraction(j)] for i in range(4) for j in range(4)]
+    A = approximation(places, Fraction(2), Exact(), "cubic", 1, "tensor")
+    v_nodes = [(x * y, x - y) for x, y in places]
+    a_nodes = [(-x * x - 1, y * y + 1) for x, y in places]
+    at, v = (Fraction(3, 2), Fraction(4, 3)), (Fraction(1, 2), Fraction(-1, 3))
+    first, second = (acceleration(A, at, v, v_nodes, a_nodes, axis) for axis in (0, 1))
+    assert acceleration(A, at, v, v_nodes, a_nodes) == first != second
+    Psi, star = shape_functions(A, at), psi_star(A, at, v, v_nodes)
+    assert second == sum(Psi[I] * a_nodes[I][1] + star[I] * v_nodes[I][1] for I in Psi)
+
+
 def test_velocity_is_the_field_of_the_nodes_velocities(build: Build, nodes: NodeSet) -> None:
     """(38); a linear velocity v = Q x is reproduced for order 1 and 2."""
     for order in (1, 2):

@@ -292,6 +292,12 @@ def test_too_few_nodes_and_gaps_are_named() -> None:
         condition_numbers(c, np.array([[-0.9, 0.0]]))
 
 
+def test_the_first_of_many_bad_supports_is_named() -> None:
+    """By its number and by its own radius."""
+    with pytest.raises(BadInput, match=r"node 1 has support radius -2\.0: it must be positive and finite"):
+        cloud(PLANE, [1.0, -2.0, 1.0, np.inf, 0.0, 1.0])
+
+
 def test_the_first_of_many_gaps_is_named() -> None:
     """Decides that the message leads to one place and always the same."""
     X = np.array(list(product(range(12), repeat=2)), dtype=float)

@@ -20,6 +20,7 @@ from rkverify.kernels import KERNELS, kernel
 from rkverify.paper.approximation import approximation, lattice, middle
 from rkverify.paper.gradients import direct_gradient
 from rkverify.paper.moment import moment_matrix
+from rkverify.paper.semi_lagrangian_equations import ChainState, SemiLagrangianChain
 from rkverify.paper.shape import shape_functions, shape_gradient
 from rkverify.readings import DERIVATIVES, Derivative, Readings
 from rkverify.solid.cloud import cloud
@@ -214,3 +215,14 @@ def test_both_routes_refuse_the_same_matrices_and_none_that_doubles_resolve(d: i
         kept = np.diag(np.linalg.cholesky(np.array(M))) ** 2 / np.diag(M)
         assert kept[1:].min() ** 2 < (d + 1) * (len(nodes) + d + 1) * 2.0**-52
         assert abs(shape(cloud(nodes, support), x[None]).values.sum() - 1) < 1e-3
+
+
+def test_a_chain_is_what_it_was_given_and_not_what_it_has_met() -> None:
+    """The approximation of a state is made once; that one is kept tells no chain from its twin, and is not told."""
+    A = lattice(1, "3/2", 2, Exact())
+    x, zero, one = [place for (place,) in A.nodes], [Fraction(0)] * len(A.nodes), [Fraction(1)] * len(A.nodes)
+    state = ChainState(x, zero, zero, [place + Fraction(1, 2) for place in x], one)
+    used, twin = (SemiLagrangianChain(A, Fraction(1), one, Readings("scni")) for _ in range(2))
+    assert used.on(state) is used.on(state)
+    assert used == twin
+    assert repr(used) == repr(twin)

@@ -128,6 +128,7 @@ def test_a_lattice_has_square_facets_alone() -> None:
         ([[0.1, 0.1, 0.1], [0.5, 0.5, 1.5]], BadInput, r"node 1 at \(0.5, 0.5, 1.5\) is outside the domain"),
         ([[0.1, 0.1, 0.1]] * 2, CoincidentNodes, "nodes 0 and 1 are both at"),
         ([[0.1, 0.1, 0.1], [0.5, 0.5, 0.5], [0.1, 0.1, 0.1 + 3e-17]], CoincidentNodes, "nodes 0 and 2 are both at"),
+        ([[0.5, 0.5, 0.5], [0.1, 0.1, 0.1], [0.5, 0.5, 0.5 + 2e-16]], CoincidentNodes, "nodes 0 and 2 are both at"),
         ([[0.1, 0.1, np.inf]], BadInput, "node 0 is at"),
     ],
 )
@@ -197,3 +198,12 @@ def test_an_edge_of_rounding_s_length_is_none_and_the_corner_stays(
     assert len(found.vertices) == vertices
     assert sorted(np.diff(found.starts).tolist()) == ([4] * 6 if vertices == 8 else [4] * 4 + [5] * 2)
     assert [1.0, 1.0, 1.0] in found.vertices.tolist()
+
+
+def test_beside_a_plane_through_the_origin_a_vertex_stays_to_its_last_digit() -> None:
+    """Rounding is that of the coordinates, and beside 0 they have more digits: 1e-16 inside is inside, 1e-19 is on the plane."""
+    for inside, wanted in ((1e-16, 1e-16), (1e-19, 0.0)):
+        prism = _prism(0)
+        prism.vertices[0, 1] = inside
+        found = cut(prism, 1, 0.0, -1)
+        assert found.vertices[0, 1] == wanted

@@ -1,5 +1,6 @@
 """Tables of the studies of waves in the plane, column by column, by a second route: eigenvalues of K(k)/m, sums by hand."""
 
+from fractions import Fraction
 from functools import cache
 
 import numpy as np
@@ -7,7 +8,7 @@ import pytest
 
 from rkverify.solid.materials.moduli import Moduli
 from rkverify.stability.at_rest import at_rest
-from rkverify.stability.bloch import evidence, surveys, surveys_in_space
+from rkverify.stability.bloch import degenerate, evidence, surveys, surveys_in_space
 from rkverify.stability.bloch.clouds import growth, held_cloud, uneven_square
 from rkverify.stability.bloch.evidence import BOX, Case
 from rkverify.stability.bloch.lattices import Lattice, cubic, jittered, lattice
@@ -234,6 +235,11 @@ def test_where_four_cells_meet() -> None:
     assert row["areas_by_steps"] < 1e-14
     assert 0 < row["sum_by_quotients"] < 100 * 2.0**-52 / step
     assert 0 < row["areas_by_quotients"] < 2 * step
+    # a smooth function would have one slope on both sides: the column is the gap between the two
+    scheme = Scheme("scni", float(Fraction(R)), "trapezoid")
+    patch, cells = degenerate.patch_of(lattice("square"), scheme)
+    ahead, behind = (degenerate.by_difference(scheme, patch, cells, 0, h).integrals for h in (step, -step))
+    assert row["sides"] == abs(ahead - behind).max()
 
 
 @pytest.mark.parametrize("scheme", [Scheme("dni", 1.4), Scheme("snni", 1.4), Scheme("scni", 1.4)], ids=str)

@@ -569,3 +569,13 @@ def test_a_measured_row_says_the_round_number_above_its_uncertainty(uncertainty:
         row = _measured_row("case", "0", found, 2.0)
         assert row["uncertain_below"] == bound
         assert row["growth"] == row["frequency"] == seen
+
+
+def test_the_stress_of_a_measured_row_has_nine_digits(monkeypatch: pytest.MonkeyPatch) -> None:
+    """And growths are over F in the Lagrangian form; nothing is measured here."""
+    found = Measured(1.0, (Root(0.0, -0.6), Root(0.0, 0.6)), 1e-4)
+    monkeypatch.setattr("rkverify.stability.simulate.measure", lambda base, kh: found)
+    monkeypatch.setattr("rkverify.stability.simulate.measure_bar", lambda base, kh: found)
+    (row,) = measured_rows([("7/4", "-2/3")], "6/5")
+    assert row["stress_ratio"] == -0.666666667
+    assert (row["lagrangian_growth"], row["semi_lagrangian_growth"]) == (0.5, 0.6)
