@@ -172,6 +172,14 @@ def test_the_curve_goes_from_cell_to_neighbouring_cell(digits: int) -> None:
     assert (_curve(np.array([-2.0, 1.0, 5.0]), np.array([-2.0, 1.0, 5.0])) >= 0).all()
 
 
+def test_the_curve_tells_points_apart_that_are_a_2_to_the_15th_apart() -> None:
+    """So that a million nodes, a thousand along each side, are in order however dense they are somewhere; the twin, half as far, are not."""
+    n = np.arange(-50.0, 50.0)
+    for spacing, told in ((2.0**-15, 100), (2.0**-16, 50)):
+        for x, y in ((n, 0 * n), (0 * n, n)):
+            assert len(set(_curve((x + 0.25) * spacing, (y + 0.25) * spacing).tolist())) == told
+
+
 def test_what_is_surely_inside_is_inside() -> None:
     """Against the determinant in integers: True only where it is positive, and always where it is beyond twice the bound."""
     rng = np.random.default_rng(5)

@@ -18,7 +18,7 @@ from rkverify.stability.bloch.evidence import BOX, Case
 from rkverify.stability.bloch.lattices import jittered, lattice
 from rkverify.stability.bloch.linearised import linearised
 from rkverify.stability.bloch.loading import Loading
-from rkverify.stability.bloch.measured import _roots, box_of, measure, measure_fastest
+from rkverify.stability.bloch.measured import _interval, _roots, box_of, measure, measure_fastest
 from rkverify.stability.bloch.scheme import Scheme
 from rkverify.stability.bloch.surveys import Method, loading
 from rkverify.stability.bloch.symbol import modes, strain_waves
@@ -250,3 +250,12 @@ def test_the_surroundings_are_all_images_within_the_radius() -> None:
     found = {(o, *np.round(s, 6) + 0.0) for o, s in zip(owners.tolist(), shifts, strict=True)}
     assert found == {(o, *np.round(steps[k], 6) + 0.0) for o, k in np.argwhere(near).tolist()}
     assert len(found) == len(owners) > 5 * len(x)
+
+
+def test_times_are_sampled_in_units_of_the_wave_s_own() -> None:
+    """Four times the mass is twice the period, to the last bit: an interval that did not follow would see too little, or aliases."""
+    plane, still = box_of(lattice("square"), SCNI.scheme("1.4"), Loading((0.2, 0.0, 0.0)), 4)
+    shape = np.cos(np.pi / 2 * still.x[:, 0])
+    one = _interval(plane, still, shape)
+    assert 0 < one < 0.5
+    assert _interval(replace(plane, masses=4 * plane.masses), still, shape) == 2 * one
