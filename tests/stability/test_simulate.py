@@ -10,7 +10,7 @@ import pytest
 from rkverify.readings import Readings
 from rkverify.stability.jacobian_solid import base_chain
 from rkverify.stability.lattice_state import Base
-from rkverify.stability.simulate import LARGEST_CHAIN, _amplitudes, fitting_wave
+from rkverify.stability.simulate import GROWTH_LIMIT, LARGEST_CHAIN, _amplitudes, fitting_wave, measure_flow
 
 
 @pytest.mark.parametrize(
@@ -39,3 +39,16 @@ def test_amplitudes_are_those_of_their_wave_alone() -> None:
     v = still.v - 0.4 * np.sin(kh * node) + 0.5
     found = _amplitudes([still, replace(still, x=x, v=v)], still, kh)
     np.testing.assert_allclose(found, [[0, 0], [0.15 - 0.05j, 0.2j]], rtol=0, atol=1e-14)
+
+
+def test_a_wave_is_followed_no_further_than_its_equations_are_linear() -> None:
+    """Growth 5 up to a few hundred times the push; beyond, the made-up law is another one, and the run must not go there."""
+    count, kh, push = 8, pi / 2, 1e-6
+
+    def slope(_: float, z: np.ndarray) -> np.ndarray:
+        x, v = z[:count], z[count:]
+        return np.concatenate([v, np.where(abs(v) < 3 * GROWTH_LIMIT * push, 25 * x, -25 * x)])
+
+    found = measure_flow(slope, np.zeros(2 * count), count, kh, 0.06, push)
+    assert abs(max(root.growth for root in found.roots) - 5) < 1e-6
+    assert found.uncertainty < 1e-5
