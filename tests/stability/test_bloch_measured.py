@@ -7,8 +7,10 @@ import numpy as np
 import pytest
 from scipy.linalg import eig
 
-from rkverify.errors import BadInput
+from rkverify.errors import BadInput, TooFewNodes
 from rkverify.readings import DERIVATIVES
+from rkverify.solid.boxes import boxes
+from rkverify.solid.cloud import cloud
 from rkverify.solid.gradients import facets_alone, scni
 from rkverify.solid.periodic_plane import rates, surroundings
 from rkverify.solid.voronoi import voronoi
@@ -259,3 +261,14 @@ def test_times_are_sampled_in_units_of_the_wave_s_own() -> None:
     one = _interval(plane, still, shape)
     assert 0 < one < 0.5
     assert _interval(replace(plane, masses=4 * plane.masses), still, shape) == 2 * one
+
+
+@pytest.mark.parametrize("seed", [0, 1])
+def test_what_a_free_node_moves_is_looked_at_and_nothing_at_the_rim(seed: int) -> None:
+    """With a jitter of a quarter, boxes at the rim leave what is covered; cells that see no free node are not asked."""
+    x, domain = uneven_square(9, 0.25, seed)
+    with pytest.raises(TooFewNodes, match="facet"):
+        scni(cloud(x, 1.4), boxes(x, voronoi(x, domain).measures), "midpoint")
+    slopes = held_cloud(x, domain, Scheme("snni", 1.4, cell_measure="material")).geometric
+    assert slopes.shape[:2] == (9, 2)
+    assert abs(slopes).max() > 0.1
