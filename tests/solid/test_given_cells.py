@@ -23,6 +23,7 @@ def test_two_squares_share_an_edge(first: list, second: list) -> None:
     assert cells.sides[shared].tolist() == [[0, 1]]
     assert cells.areas[shared].tolist() == [[1.0, 0.0]]
     assert len(cells.boundary) == 6
+    assert cells.starts.tolist() == list(range(0, 15, 2))  # two corners for each of seven facets, and no more
     assert cells.measures.tolist() == [1.0, 1.0]
 
 
