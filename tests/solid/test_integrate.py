@@ -3,7 +3,7 @@
 import numpy as np
 
 from rkverify.readings import Readings
-from rkverify.solid.chain import Chain, Motion
+from rkverify.solid.chain import Chain, Motion, rates
 from rkverify.solid.integrate import integrate
 from rkverify.stability.jacobian_solid import base_chain
 from rkverify.stability.lattice_state import Base
@@ -37,3 +37,11 @@ def test_it_stops_where_it_is_told_to() -> None:
     chain, start = wave()
     assert len(integrate(chain, start, TIMES, stop=lambda motion: float(motion.v[0]) - AMPLITUDE / 2)) == 2
     assert len(integrate(chain, start, TIMES, stop=lambda motion: 1.0)) == len(TIMES)
+
+
+def test_the_period_grows_at_its_rate_and_the_rate_stays() -> None:
+    """What the integrator does not integrate: a period is linear in time, and `rates` says so."""
+    chain, moving = base_chain(Base("3/2", Readings("scni"), "1/3", "1/5"), 12)
+    motion = rates(chain, moving).motion
+    assert (motion.period, motion.period_rate) == (moving.period_rate, 0)
+    assert abs(integrate(chain, moving, [0.0, 1.0])[-1].period - (12 + 12 / 5)) < 1e-14
