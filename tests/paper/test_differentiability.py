@@ -10,8 +10,9 @@ from rkverify.arithmetic.dual import Duals
 from rkverify.arithmetic.native import Complex, Exact, Float
 from rkverify.arithmetic.series import Series
 from rkverify.errors import NotDifferentiable
+from rkverify.kernels import Kernel, Term, TruncatedPowers
 from rkverify.paper.approximation import Approximation, approximation
-from rkverify.paper.kernel_rates import direction, phi, phi_rate, semi_lagrangian_kernel_rate
+from rkverify.paper.kernel_rates import direction, phi, phi_rate, phi_second_rate, semi_lagrangian_kernel_rate
 from rkverify.paper.material_rates import psi_star
 from rkverify.paper.shape import shape_functions, shape_gradient, shape_second
 
@@ -160,3 +161,17 @@ def test_second_derivatives_need_a_c2_kernel() -> None:
 def test_a_tent_that_does_not_move_has_the_rate_zero() -> None:
     """The twin of the refusal at the peak: without relative motion nothing is differentiated."""
     assert phi_rate(made("tent", Exact()), (Fraction(NODE),), 1, (Fraction(0),)) == 0
+
+
+def test_a_peak_at_the_node_has_no_second_derivative_there_and_one_beside_it() -> None:
+    """(1 - z)^3 is smooth but for its peak: 6 (1 - z)/a^2 at any other place, on either side, and a refusal at the node."""
+    K, a = Exact(), Fraction(3, 2)
+    peak = Kernel("peak", TruncatedPowers((Term(Fraction(1), Fraction(1), 3),)), "for this test")
+    A = approximation(NODES, a, K, peak)
+    one = (Fraction(1),)
+    for y in (Fraction(-1, 2), Fraction(1, 100), Fraction(5, 4)):
+        assert phi_second_rate(A, (1 + y,), 1, one, one) == 6 * (1 - abs(y) / a) / a**2
+    with pytest.raises(
+        NotDifferentiable, match="kernel 'peak' has no second derivative at its node 1: take a C2 kernel"
+    ):
+        phi_second_rate(A, one, 1, one, one)
