@@ -106,6 +106,9 @@ INVERTED = np.array([np.eye(2), [[1.0, 0.0], [0.0, -0.25]]])
             r"^point 0 turns by half a turn in one step",
         ),
         (lambda: Jaumann(MODULI).advance(np.eye(2)[None], Jaumann(MODULI).start(2, 2)), r"the state has \(2, 2, 2\)"),
+        (lambda: NeoHookean(MODULI).stress(np.ones((4, 2, 3))), r"have shape \(4, 2, 3\): give \(n, d, d\)"),
+        (lambda: NeoHookean(MODULI).stress(np.ones((4, 3, 2))), r"have shape \(4, 3, 2\): give \(n, d, d\)"),
+        (lambda: NeoHookean(MODULI).stress(np.ones((4, 4, 4))), r"have shape \(4, 4, 4\): give \(n, d, d\)"),
         (lambda: NeoHookean(MODULI).stress(np.eye(2)), r"have shape \(2, 2\): give \(n, d, d\)"),
         (lambda: NeoHookean(MODULI).stress(np.full((3, 2, 2), np.nan)), r"^point 0 has a deformation gradient"),
         (
