@@ -92,7 +92,9 @@ def solve(A: Approximation, x: Vector, M: Matrix, right: list[Scalar]) -> list[S
         pivot = M[j][j]
         for k in range(j):
             pivot = pivot - L[j][k] * L[j][k] * D[k]
-        if not (K.surely_positive(pivot) and K.witness(pivot) > rounding * _uncertainty(K, L, M, j)):
+        # Exact numbers, which rounding leaves alone, may be beyond any double.
+        lost = rounding * _uncertainty(K, L, M, j) if rounding else 0
+        if not (K.surely_positive(pivot) and K.witness(pivot) > lost):
             left = K.witness(pivot) / K.witness(M[j][j]) if K.witness(M[j][j]) != 0 else 0
             raise SingularMomentMatrix(
                 f"the moment matrix at x = ({', '.join(map(K.text, x))}) is singular (pivot {j} keeps {float(left):.1e} of its "
