@@ -272,3 +272,17 @@ def test_what_a_free_node_moves_is_looked_at_and_nothing_at_the_rim(seed: int) -
     slopes = held_cloud(x, domain, Scheme("snni", 1.4, cell_measure="material")).geometric
     assert slopes.shape[:2] == (9, 2)
     assert abs(slopes).max() > 0.1
+
+
+def test_the_gradients_of_scni_have_no_slopes_and_those_have_a_zero_for_each_component() -> None:
+    """A facet adds to one cell what it takes from the next: of the sum, nothing moves with a node. (F, 2, F, 2) as others.
+
+    The twin is direct integration, whose gradients move with the node.
+    """
+    x, domain = uneven_square(7, 0.15, 1)
+    for scheme, moves in ((SCNI.scheme("1.4"), False), (FULL.scheme("1.4"), True)):
+        cloud = held_cloud(x, domain, scheme)
+        count = len(cloud.free)
+        assert count > 0
+        assert cloud.geometric.shape == (count, 2, count, 2)
+        assert bool(cloud.geometric.any()) == moves
