@@ -68,6 +68,20 @@ def test_pages_are_whole_without_javascript(opened: Opened, pages: Path) -> None
         assert not page.locator("form.filter").is_visible()
 
 
+def test_a_drawing_that_is_not_there_is_noticed(opened: Opened, pages: Path) -> None:
+    """The control: an image without its file fails, although it is loaded late."""
+
+    def spoilt() -> None:
+        with opened() as page:
+            page.goto((pages / "index.html").as_uri())
+            image = "<img src=nowhere.svg loading=lazy alt=nothing>"
+            page.evaluate("image => document.body.insertAdjacentHTML('afterbegin', image)", image)
+            page.wait_for_timeout(300)
+
+    with pytest.raises(AssertionError, match=r"failed: .*nowhere\.svg"):
+        spoilt()
+
+
 def test_axe_finds_what_is_wrong(opened: Opened, pages: Path) -> None:
     """The control: an image without words and pale letters are found."""
     with opened() as page:
