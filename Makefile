@@ -25,7 +25,7 @@ install: .venv/installed ## create .venv from requirements.lock (2 min)
 	$(BIN)/python -m pip install --quiet --no-deps --no-build-isolation --editable .
 	touch $@
 
-reproduce: install ## compute every table and figure and build the report (3 min; 2 s if nothing changed)
+reproduce: install ## compute every table and figure and build the report (5 min; 5 s if nothing changed)
 	$(RUN) run
 	$(RUN) report
 	$(RUN) export --ro-crate
@@ -34,7 +34,7 @@ smoke: install ## reproduce in a quick form, under .rkverify/quick (40 s)
 	$(RUN) run --quick
 	$(RUN) report --quick
 
-test: install ## the tests, property tests in their quick profile (5 min)
+test: install ## the tests, property tests in their quick profile (7 min)
 	$(BIN)/python -m pytest -n auto
 
 property: install ## the property tests as in CI: derandomised, no deadline, no database (2 min)
@@ -64,7 +64,7 @@ notebooks: install ## execute the notebooks into reports/notebooks, beside the p
 	$(RUN) report
 	$(BIN)/python -m rkverify.report.notebooks
 
-report: install ## build reports/index.html and its metadata from finished studies (2 s)
+report: install ## build reports/index.html and its metadata from finished studies (3 s)
 	$(RUN) report
 	$(RUN) export --ro-crate
 
@@ -84,7 +84,7 @@ peers: .venv-peers/installed ## build the packages we compare with and compute t
 	.venv-peers/bin/python -m pip install --quiet --require-hashes --no-build-isolation --requirement benchmarks/peers.lock
 	touch $@
 
-controls: install ## deliberate faults, each in a copy of the checkout, and which test catches it; reports/controls/controls.csv (30 min)
+controls: install ## deliberate faults, each in a copy of the checkout, and which test catches it; reports/controls/controls.csv (15 min)
 	$(BIN)/python -m controls.run
 
 mutants: install .venv-mutants/installed ## mutation score of paper/, solid/ and stability/ on a seeded sample; reports/controls/mutants.csv (60 min)
