@@ -75,8 +75,8 @@ def test_a_drawing_that_is_not_there_is_noticed(opened: Opened, pages: Path) -> 
         with opened() as page:
             page.goto((pages / "index.html").as_uri())
             image = "<img src=nowhere.svg loading=lazy alt=nothing>"
-            page.evaluate("image => document.body.insertAdjacentHTML('afterbegin', image)", image)
-            page.wait_for_timeout(300)
+            with page.expect_event("requestfailed"):
+                page.evaluate("image => document.body.insertAdjacentHTML('afterbegin', image)", image)
 
     with pytest.raises(AssertionError, match=r"failed: .*nowhere\.svg"):
         spoilt()
